@@ -14,7 +14,6 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.AfterAll;
@@ -22,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.canvas.Parts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.rooms.LabRooms;
@@ -87,7 +87,7 @@ class CourseMapPaneTest {
             var cut = new ArrayList<String>();
             EventQueue.invokeAndWait(
                     () ->
-                            inside(pane[0])
+                            Parts.of(pane[0])
                                     .filter(each -> each.getWidth() < wanted(each))
                                     .map(CourseMapPaneTest::textOf)
                                     .forEach(cut::add));
@@ -161,15 +161,6 @@ class CourseMapPaneTest {
 
     private static Component named(Container root, String name) {
         Predicate<Component> wanted = each -> name.equals(each.getName());
-        return inside(root).filter(wanted).findFirst().orElseThrow();
-    }
-
-    private static Stream<Component> inside(Container root) {
-        return Stream.of(root.getComponents())
-                .flatMap(
-                        each ->
-                                each instanceof Container inner
-                                        ? Stream.concat(Stream.of(each), inside(inner))
-                                        : Stream.of(each));
+        return Parts.of(root).filter(wanted).findFirst().orElseThrow();
     }
 }

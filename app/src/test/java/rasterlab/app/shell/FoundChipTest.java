@@ -4,18 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JMenuItem;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.canvas.Parts;
 import rasterlab.app.found.FoundHazards;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.labs.LabModels;
@@ -58,17 +56,8 @@ class FoundChipTest {
         assertEquals(List.of(), failures);
     }
 
-    private static Stream<Component> all(Container of) {
-        return Stream.of(of.getComponents())
-                .flatMap(
-                        each ->
-                                each instanceof Container inner
-                                        ? Stream.concat(Stream.of(each), all(inner))
-                                        : Stream.of(each));
-    }
-
     private static Optional<JButton> chip(LabTabs tabs, String tab, String name) {
-        return all(tabs.named(tab).panel())
+        return Parts.of(tabs.named(tab).panel())
                 .filter(each -> ("chip." + name).equals(each.getName()))
                 .map(JButton.class::cast)
                 .findFirst();
@@ -83,7 +72,7 @@ class FoundChipTest {
                     String shown = tabs.opening().written("line").orElseThrow();
                     assertTrue(shown.replace(" ", "").contains(INPUT.replace("}", "")), shown);
                     String said =
-                            all(tabs.named("line").panel())
+                            Parts.of(tabs.named("line").panel())
                                     .filter(each -> "hazard.special".equals(each.getName()))
                                     .map(each -> each.getAccessibleContext().getAccessibleName())
                                     .findFirst()

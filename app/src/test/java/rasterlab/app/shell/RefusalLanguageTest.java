@@ -15,6 +15,7 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.Parts;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.settings.LabLook;
@@ -83,16 +84,8 @@ class RefusalLanguageTest {
         return search(content, name).orElseThrow(() -> new AssertionError(name));
     }
 
-    /** The visible component of that name. */
     private static Optional<Component> search(Container in, String name) {
-        for (Component each : in.getComponents()) {
-            if (!each.isVisible()) continue;
-            if (name.equals(each.getName())) return Optional.of(each);
-            Optional<Component> inner =
-                    each instanceof Container more ? search(more, name) : Optional.empty();
-            if (inner.isPresent()) return inner;
-        }
-        return Optional.empty();
+        return Parts.shown(in).filter(each -> name.equals(each.getName())).findFirst();
     }
 
     private String text(String name) {

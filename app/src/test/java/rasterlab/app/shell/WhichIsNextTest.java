@@ -26,6 +26,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.Parts;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.canvas.lab.OpenInLab;
 import rasterlab.app.canvas.lab.StageGuide;
@@ -133,15 +134,7 @@ class WhichIsNextTest {
     }
 
     private static Optional<Component> search(Container in, String name) {
-        for (Component each : in.getComponents()) {
-            if (!each.isVisible()) continue;
-            if (name.equals(each.getName())) return Optional.of(each);
-            if (each instanceof Container inner) {
-                Optional<Component> found = search(inner, name);
-                if (found.isPresent()) return found;
-            }
-        }
-        return Optional.empty();
+        return Parts.shown(in).filter(each -> name.equals(each.getName())).findFirst();
     }
 
     private void settle(String tab) throws InterruptedException {

@@ -5,10 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JSlider;
 import org.junit.jupiter.api.AfterEach;
@@ -18,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.Parts;
 import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
@@ -64,20 +63,11 @@ class TurntableTest {
     }
 
     private <T extends Component> T part(Class<T> type, String name) {
-        return parts(player)
+        return Parts.of(player)
                 .filter(each -> name.equals(each.getName()))
                 .findFirst()
                 .map(type::cast)
                 .orElseThrow();
-    }
-
-    private static Stream<Component> parts(Container place) {
-        return Stream.of(place.getComponents())
-                .flatMap(
-                        each ->
-                                each instanceof Container inner
-                                        ? Stream.concat(Stream.of(each), parts(inner))
-                                        : Stream.of(each));
     }
 
     @ParameterizedTest(name = "nothing is counted after a single step: {0}")

@@ -5,15 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.function.IntFunction;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.Parts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -61,19 +60,10 @@ class StepPlayerTest {
     }
 
     private static Component part(StepPlayer player, String name) {
-        return parts(player)
+        return Parts.of(player)
                 .filter(each -> ("player." + name).equals(each.getName()))
                 .findFirst()
                 .orElseThrow();
-    }
-
-    private static Stream<Component> parts(Container place) {
-        return Stream.of(place.getComponents())
-                .flatMap(
-                        each ->
-                                each instanceof Container inner
-                                        ? Stream.concat(Stream.of(each), parts(inner))
-                                        : Stream.of(each));
     }
 
     @Test

@@ -3,17 +3,14 @@ package rasterlab.app.coordinates.turn;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.text.ParseException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JSpinner;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.Parts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -30,7 +27,7 @@ class TurnInspectorTest {
                         var inspector = new TurnInspector(model, texts, column -> {});
                         var times =
                                 (JSpinner)
-                                        within(inspector.column())
+                                        Parts.of(inspector.column())
                                                 .filter(c -> "times.field".equals(c.getName()))
                                                 .findFirst()
                                                 .orElseThrow();
@@ -39,14 +36,5 @@ class TurnInspectorTest {
                     });
         }
         assertEquals(List.of(), failures);
-    }
-
-    private static Stream<Component> within(Container root) {
-        return Arrays.stream(root.getComponents())
-                .flatMap(
-                        each ->
-                                each instanceof Container inner
-                                        ? Stream.concat(Stream.of(each), within(inner))
-                                        : Stream.of(each));
     }
 }

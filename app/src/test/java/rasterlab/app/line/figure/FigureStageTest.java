@@ -23,6 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.Parts;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
@@ -172,18 +173,9 @@ class FigureStageTest {
     }
 
     private static Component named(Container parent, String name) {
-        return parts(parent)
+        return Parts.of(parent)
                 .filter(part -> name.equals(part.getName()))
                 .findFirst()
                 .orElseThrow(() -> new AssertionError("no " + name));
-    }
-
-    private static Stream<Component> parts(Container parent) {
-        return Stream.of(parent.getComponents())
-                .flatMap(
-                        part ->
-                                part instanceof Container inner
-                                        ? Stream.concat(Stream.of(part), parts(inner))
-                                        : Stream.of(part));
     }
 }
