@@ -220,11 +220,6 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return resultOf(state.results());
     }
@@ -242,11 +237,6 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     public void goTo(int step) {
         int next = within(step);
         if (next != state.step()) publish(at(next));
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return false;
     }
 
     private void edit(ClipScene scene) {

@@ -297,11 +297,6 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         if (next != state.step()) publish(at(next));
     }
 
-    @Override
-    public boolean turnsRound() {
-        return false;
-    }
-
     private Remembered present() {
         return new Remembered(state.choice(), tried, state.arrangement());
     }

@@ -249,11 +249,6 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return resultOf(state.results());
     }
@@ -271,11 +266,6 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
     public void goTo(int step) {
         int next = within(step);
         if (next != state.step()) publish(at(next));
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return false;
     }
 
     private void edit(PolygonFigure figure) {

@@ -297,11 +297,6 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     Steps steps() {
         return new Steps() {
             @Override
-            public int first() {
-                return 0;
-            }
-
-            @Override
             public int last() {
                 return pixels() - 1;
             }
@@ -314,11 +309,6 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
             @Override
             public void goTo(int step) {
                 choosePixel(step);
-            }
-
-            @Override
-            public boolean turnsRound() {
-                return false;
             }
         };
     }

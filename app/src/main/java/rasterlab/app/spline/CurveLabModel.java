@@ -226,11 +226,6 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return state.drawing().segments();
     }
@@ -244,11 +239,6 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     public void goTo(int step) {
         List<CurveDrawing.Corner> points = state.drawing().points();
         if (!points.isEmpty()) goToT(points.get(Math.max(0, Math.min(last(), step))).t());
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return false;
     }
 
     private void change(CurveChoice next, boolean arrange) {

@@ -240,11 +240,6 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return state.drawing().steps().size();
     }
@@ -258,11 +253,6 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     public void goTo(int step) {
         int next = within(step);
         if (next != state.step()) publish(at(next, state.share()));
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return false;
     }
 
     private void change(FunctionChoice next, boolean arrange) {

@@ -17,11 +17,6 @@ final class DrawingSteps implements Steps {
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return turning() ? turntable.last() : model.lastStep();
     }

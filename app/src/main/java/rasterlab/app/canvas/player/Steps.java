@@ -3,7 +3,9 @@ package rasterlab.app.canvas.player;
 /** Something that a step player moves through. */
 public interface Steps {
     /** The first step there is; equal to {@link #last} when there is nothing to play. */
-    int first();
+    default int first() {
+        return 0;
+    }
 
     int last();
 
@@ -29,5 +31,7 @@ public interface Steps {
     default void rest() {}
 
     /** Whether the first step comes after the last. */
-    boolean turnsRound();
+    default boolean turnsRound() {
+        return false;
+    }
 }

@@ -324,11 +324,6 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return scene.last();
     }
@@ -344,10 +339,5 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         if (inside == step) return;
         step = inside;
         tell();
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return false;
     }
 }

@@ -82,11 +82,6 @@ public final class StackLabModel extends ChoiceModel<StackChoice> implements Ste
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return choice().commands().size();
     }
@@ -103,10 +98,5 @@ public final class StackLabModel extends ChoiceModel<StackChoice> implements Ste
         step = inside;
         scene = StackScene.of(choice().commands(), step);
         tell();
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return false;
     }
 }

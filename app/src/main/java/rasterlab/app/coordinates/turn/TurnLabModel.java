@@ -163,11 +163,6 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return scene.steps().size();
     }
@@ -183,10 +178,5 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
         if (inside == step) return;
         step = inside;
         tell();
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return false;
     }
 }

@@ -141,11 +141,6 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
     public int last() {
         return scene.stages().size() - 1;
     }
@@ -161,10 +156,5 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
         if (next == stage) return;
         stage = next;
         tell();
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return false;
     }
 }

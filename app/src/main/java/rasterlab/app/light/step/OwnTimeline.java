@@ -15,11 +15,6 @@ public record OwnTimeline(Supplier<Optional<OwnSteps>> shown, OwnWalk walk, Step
     /** Goes through the answers of one program. */
     private record Answers(int last, OwnWalk walk) implements Steps {
         @Override
-        public int first() {
-            return 0;
-        }
-
-        @Override
         public int step() {
             return walk.step(last);
         }
@@ -27,11 +22,6 @@ public record OwnTimeline(Supplier<Optional<OwnSteps>> shown, OwnWalk walk, Step
         @Override
         public void goTo(int step) {
             walk.goTo(step, last);
-        }
-
-        @Override
-        public boolean turnsRound() {
-            return false;
         }
     }
 

@@ -286,11 +286,6 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         if (next != state.step()) publish(at(next));
     }
 
-    @Override
-    public boolean turnsRound() {
-        return false;
-    }
-
     private void change(FigureScene next, boolean arrange) {
         if (next.equals(state.scene()) && !arrange) return;
         if (!next.equals(state.scene())) history.remember();
