@@ -67,6 +67,16 @@ public final class OwnProgram implements AutoCloseable {
         }
     }
 
+    /** Why it cannot run, once it is compiled; empty where it can. */
+    public Optional<String> obstacle() {
+        try {
+            called();
+            return Optional.empty();
+        } catch (NoAnswer unusable) {
+            return Optional.of(unusable.getMessage());
+        }
+    }
+
     /**
      * A right method of the topic's contract that the program's time is held against, in this
      * process; empty where there is none, or the program does not run.

@@ -26,7 +26,7 @@ import rasterlab.engine.study.Workload;
  * right method, measured with all others, times what the program takes longer than that method,
  * both timed in processes of their own: the way there and back is no cost of the program's.
  */
-final class OwnStudy<C, I, O> {
+public final class OwnStudy<C, I, O> {
     private static final String REFERENCE = "reference";
 
     /**
@@ -39,14 +39,22 @@ final class OwnStudy<C, I, O> {
     private final OwnProgram program;
     private final OwnMethods own;
 
-    OwnStudy(Topic<C, I, O> topic, OwnProgram program, OwnMethods own) {
+    /**
+     * @param topic with its own methods alone
+     * @param program the topic's in {@code own}
+     */
+    public OwnStudy(Topic<C, I, O> topic, OwnProgram program, OwnMethods own) {
         this.topic = topic;
         this.program = program;
         this.own = own;
     }
 
-    /** Measures as {@link StudyRunner#measure} does. */
-    Study measure(StudySettings settings, Consumer<Progress> progress, BooleanSupplier cancelled)
+    /**
+     * Measures as {@link StudyRunner#measure} does. Where it is cancelled, the program has no row
+     * on the workloads on which it was not measured to the end.
+     */
+    public Study measure(
+            StudySettings settings, Consumer<Progress> progress, BooleanSupplier cancelled)
             throws InterruptedException {
         Optional<Object> reference = program.reference();
         Study all =
@@ -68,11 +76,13 @@ final class OwnStudy<C, I, O> {
                             .filter(one -> one.workload().equals(workload.name()))
                             .filter(one -> !one.method().equals(REFERENCE))
                             .toList());
-            measurements.add(
-                    withCost(
-                            of(mine, workload, OwnMethods.NAME),
-                            workload,
-                            reference.map(one -> of(all, workload, REFERENCE).cost())));
+            Optional<Measurement> judged = of(mine, workload, OwnMethods.NAME);
+            if (judged.isPresent() && !cancelled.getAsBoolean())
+                measurements.add(
+                        withCost(
+                                judged.get(),
+                                workload,
+                                of(all, workload, REFERENCE).map(Measurement::cost)));
         }
         return all.with(measurements);
     }
@@ -92,12 +102,12 @@ final class OwnStudy<C, I, O> {
         return Method.right(REFERENCE, (C) method);
     }
 
-    private static Measurement of(Study study, Workload<?> workload, String method) {
+    /** The measurement of a method on a workload; empty where the study was cancelled before. */
+    private static Optional<Measurement> of(Study study, Workload<?> workload, String method) {
         return study.measurements().stream()
                 .filter(one -> one.workload().equals(workload.name()))
                 .filter(one -> one.method().equals(method))
-                .findFirst()
-                .orElseThrow();
+                .findFirst();
     }
 
     private Measurement withCost(Measurement mine, Workload<I> workload, Optional<Cost> reference)

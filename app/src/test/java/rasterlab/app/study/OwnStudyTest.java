@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.mine.OwnMethods;
@@ -97,6 +99,21 @@ class OwnStudyTest {
             assertEquals(Verdict.Kind.ENDLESS, one.kind(), one.detail());
             assertFalse(one.cost().timed());
         }
+    }
+
+    @Test
+    @DisplayName("what was measured before a study is cancelled is lost")
+    void aCancelledStudyKeepsWhatWasMeasured() throws InterruptedException {
+        bring(RIGHT);
+        var steps = new AtomicInteger();
+        Study study =
+                new OwnStudy<>(topic, own.of("line").orElseThrow(), own)
+                        .measure(
+                                StudySettings.shortest(),
+                                news -> steps.incrementAndGet(),
+                                () -> steps.get() >= 3);
+        assertEquals(3, study.measurements().size());
+        assertEquals(List.of(), mine(study));
     }
 
     @Test

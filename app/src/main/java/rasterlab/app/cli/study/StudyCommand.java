@@ -5,8 +5,11 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.cli.console.Console;
@@ -18,6 +21,7 @@ import rasterlab.app.study.CountedStudy;
 import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.StudyProgress;
 import rasterlab.app.study.front.StudyPlot;
+import rasterlab.engine.study.Progress;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyRunner;
 import rasterlab.engine.study.StudySettings;
@@ -37,6 +41,7 @@ import rasterlab.engine.study.Topic;
         footer = {
             "",
             "Example: ./lab study line --out line.svg --out line.csv",
+            "         ./lab study line --with Bresenham.java --out line.svg",
             "         ./lab study --all --quick --out findings"
         })
 public final class StudyCommand implements Callable<Integer> {
@@ -111,6 +116,8 @@ public final class StudyCommand implements Callable<Integer> {
                             + " is best in each range of sizes)")
     private String chart = StudyPlot.FRONT.code();
 
+    @Mixin private OwnSource own;
+
     public StudyCommand(Console console) {
         this.console = console;
     }
@@ -118,6 +125,7 @@ public final class StudyCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         if (all) return findings();
+        own.requireSource();
         if (topic.isEmpty()) throw Complaint.badInput("name a TOPIC, or all of them with --all");
         Topic<?, ?, ?> chosen = TopicChoice.one(topic.get());
         for (Path file : files) {
@@ -131,6 +139,8 @@ public final class StudyCommand implements Callable<Integer> {
             Study study = measured(chosen, settings, stop);
             var table = new StudyTable(study, console.language());
             (wide ? table.wide() : table.narrow()).forEach(console.out()::println);
+            OwnSource.refusals(study, console.language().inWindow())
+                    .forEach(console.out()::println);
             Study shown = counted ? CountedStudy.of(study) : study;
             new RankingText(shown, console.language()).lines().forEach(console.out()::println);
             for (Path file : files) {
@@ -145,6 +155,7 @@ public final class StudyCommand implements Callable<Integer> {
     private int findings() {
         if (topic.isPresent())
             throw Complaint.badInput("--all is all topics, '" + topic.get() + "' is one");
+        if (own.isGiven()) throw Complaint.badInput("--with SOURCE goes with one TOPIC");
         if (files.size() != 1)
             throw Complaint.badInput("--all needs one folder for its pages: --out DIR");
         try (var stop = new StopRequest()) {
@@ -202,10 +213,11 @@ public final class StudyCommand implements Callable<Integer> {
     }
 
     private Study measured(Topic<?, ?, ?> chosen, StudySettings settings, StopRequest stop) {
-        return StudyRunner.measure(
-                chosen,
-                settings,
-                new StudyProgress(console.err(), console.language().inWindow())::show,
-                () -> stop.isMade() || Thread.currentThread().isInterrupted());
+        Consumer<Progress> progress =
+                new StudyProgress(console.err(), console.language().inWindow())::show;
+        BooleanSupplier cancelled = () -> stop.isMade() || Thread.currentThread().isInterrupted();
+        return own.isGiven()
+                ? own.measured(chosen, settings, console, progress, cancelled)
+                : StudyRunner.measure(chosen, settings, progress, cancelled);
     }
 }

@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -26,6 +27,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.Ran;
 import rasterlab.app.cli.console.ReportLanguage;
+import rasterlab.app.outcome.ExitCode;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
@@ -33,10 +35,79 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.runner.JudgeSettings;
 
 @Tag("slow")
 class StudyCommandTest {
     @TempDir Path folder;
+
+    @Test
+    @DisplayName("a program of the user's own has no row, or one that does not compile has one")
+    void ownProgramIsOneMoreMethod() throws Exception {
+        String body =
+                "int n = Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0));\n"
+                        + "for (int k = 0; k <= n; k++) out.plot("
+                        + "x0 + Math.round((float) k * (x1 - x0) / Math.max(1, n)), "
+                        + "y0 + Math.round((float) k * (y1 - y0) / Math.max(1, n)));";
+        Ran ran = withSource(body);
+        ran.assertDone();
+        assertTrue(ran.out().lines().filter(row -> row.startsWith("mine")).count() > 3);
+        withSource("out.plot(x0, y0)")
+                .assertComplains(
+                        ExitCode.BAD_INPUT,
+                        "./lab study: your program cannot run because of line 4; 'Check' in its"
+                                + " exercise says why");
+        Ran.lab("study", "line", "--exercise", "line-bresenham")
+                .assertComplains(
+                        ExitCode.BAD_INPUT,
+                        "./lab study: --exercise and --exercises go with --with SOURCE");
+    }
+
+    @Test
+    @DisplayName("a program that hangs or throws takes the methods' rows away, or is not told of")
+    void ownProgramThatFailsIsToldOf() throws Exception {
+        Ran endless = withSource("while (x0 <= x1 || x1 <= x0) y0++;");
+        endless.assertDone();
+        String limit = JudgeSettings.once().callLimit().toSeconds() + " s";
+        assertTrue(
+                endless.out().contains("Your program did not answer within " + limit),
+                endless.out());
+        assertTrue(endless.out().lines().anyMatch(row -> row.startsWith("bresenham ")));
+        Ran throwing = withSource("out.plot(x0 / (y0 - y0), 0);");
+        throwing.assertDone();
+        assertTrue(
+                throwing.out()
+                        .lines()
+                        .anyMatch(
+                                row ->
+                                        row.equals(
+                                                "Your program threw java.lang.ArithmeticException:"
+                                                        + " / by zero, in line 4")),
+                throwing.out());
+    }
+
+    private Ran withSource(String body) throws Exception {
+        Path source =
+                Files.writeString(
+                        folder.resolve("Mine.java"),
+                        "import rasterlab.contract.*;\n"
+                                + "public class Mine implements LineRasterizer {\n"
+                                + "public void draw(int x0, int y0, int x1, int y1, Pixels out) {\n"
+                                + body
+                                + "\n}\n}\n");
+        return Ran.lab(
+                "study",
+                "line",
+                "--quick",
+                "--rounds",
+                "1",
+                "--seconds",
+                "0",
+                "--exercise",
+                "line-bresenham",
+                "--with",
+                source.toString());
+    }
 
     @Test
     void writesEveryForm() throws Exception {
