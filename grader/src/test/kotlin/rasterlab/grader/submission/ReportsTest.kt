@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.EnumSource
 import rasterlab.engine.raster.Pixel
 import rasterlab.engine.raster.PixelWindow
+import rasterlab.engine.study.measuring.MedianInterval
 import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
@@ -66,13 +67,29 @@ class ReportsTest {
 
     @Test
     fun keepsTheFiguresOfItsSpeed() {
-        val methods = listOf(SpeedFigures.Method("dda", 2.5, 0.125), SpeedFigures.Method("wu", 4.25, INFINITE))
+        val dda = SpeedFigures.Method("dda", MedianInterval(2.25, 2.5, 2.875), 0.125)
+        val methods = listOf(dda, SpeedFigures.Method("wu", 4.25, INFINITE))
         for (error in listOf(0.0, 0.75, INFINITE)) {
-            val figures = SpeedFigures(12.625, 3.5, error, methods)
+            val figures = SpeedFigures(MedianInterval(3.125, 12.625 / 3.5, 4.75), 3.5, error, methods)
             val written = Report(GradingVerdict.OK, ScorePoints(0, 0, 1, 1), emptyList(), emptyList(), "", 12.625)
             assertEquals(Optional.of(figures), recorded(written.with(Optional.of(figures))).report.figures())
         }
         assertEquals(Optional.empty<SpeedFigures>(), recorded(report()).report.figures())
+    }
+
+    @Test
+    @DisplayName("what was measured before intervals were kept cannot be read")
+    fun readsFiguresWithoutIntervals() {
+        val methods = listOf(SpeedFigures.Method("dda", MedianInterval(2.25, 2.5, 2.875), 0.125))
+        val figures = SpeedFigures(MedianInterval(3.125, 12.625 / 3.5, 4.75), 3.5, 0.0, methods)
+        val written = Report(GradingVerdict.OK, ScorePoints(0, 0, 1, 1), emptyList(), emptyList(), "", 12.625)
+        recorded(written.with(Optional.of(figures)))
+        for (table in listOf("results", "speed_methods")) {
+            database.write { it.execute("UPDATE $table SET ratio_low = NULL, ratio_high = NULL") }
+        }
+        val id = database.read { it.createQuery("SELECT id FROM submissions").mapTo(String::class.java).one() }
+        val exact = SpeedFigures(12.625, 3.5, 0.0, listOf(SpeedFigures.Method("dda", 2.5, 0.125)))
+        assertEquals(Optional.of(exact), Reports(database).of(id)?.report?.figures())
     }
 
     @Test
