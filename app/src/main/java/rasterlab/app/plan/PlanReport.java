@@ -124,14 +124,7 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
         json.writeStringField("scene", plan.full().scene().name());
         json.writeNumberField("width", plan.full().width());
         json.writeNumberField("height", plan.full().height());
-        json.writeObjectFieldStart("tolerance");
-        json.writeNumberField("pixels", plan.tolerance().pixels());
-        json.writeNumberField("levels", plan.tolerance().levels());
-        json.writeNumberField("share", plan.tolerance().share());
-        json.writeEndObject();
-        json.writeArrayFieldStart("decisions");
-        for (PlanDecision decision : plan.decisions()) write(json, decision);
-        json.writeEndArray();
+        writeDecisions(json, plan);
         writeCost(json, "predicted", plan.predictedLevels(), plan.cost(), plan.fullCost());
         json.writeObjectFieldStart("measured");
         json.writeNumberField("levels", trial.error().levels());
@@ -153,6 +146,28 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
         if (!proof.isEmpty()) writeProof(json);
         json.writeEndObject();
         json.writeRaw('\n');
+    }
+
+    /** Writes the field {@code plan} of a picture that was drawn by one: what was left out, why. */
+    public static void writePlan(JsonGenerator json, Plan plan) throws IOException {
+        json.writeObjectFieldStart("plan");
+        writeDecisions(json, plan);
+        json.writeNumberField("levels", plan.predictedLevels());
+        json.writeNumberField("pixels", plan.predictedPixels());
+        json.writeNumberField("milliseconds", plan.cost().milliseconds());
+        json.writeNumberField("fullMilliseconds", plan.fullCost().milliseconds());
+        json.writeEndObject();
+    }
+
+    private static void writeDecisions(JsonGenerator json, Plan plan) throws IOException {
+        json.writeObjectFieldStart("tolerance");
+        json.writeNumberField("pixels", plan.tolerance().pixels());
+        json.writeNumberField("levels", plan.tolerance().levels());
+        json.writeNumberField("share", plan.tolerance().share());
+        json.writeEndObject();
+        json.writeArrayFieldStart("decisions");
+        for (PlanDecision decision : plan.decisions()) write(json, decision);
+        json.writeEndArray();
     }
 
     private static void write(JsonGenerator json, PlanDecision decision) throws IOException {

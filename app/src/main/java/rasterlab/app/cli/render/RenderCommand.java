@@ -22,6 +22,7 @@ import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.plan.Plan;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
@@ -43,7 +44,8 @@ import rasterlab.exercises.scene.SceneSetting;
             "",
             "Example: ./lab render vase --visibility painter --out vase.png",
             "         ./lab render vase --reference --diff vase.png",
-            "         ./lab render torus --clip-plane 1,0,0,0 --out half.png"
+            "         ./lab render torus --clip-plane 1,0,0,0 --out half.png",
+            "         ./lab render torus --tolerance 0.5 --levels 4 --out least.png"
         })
 public final class RenderCommand implements Callable<Integer> {
     private final Console console;
@@ -116,6 +118,8 @@ public final class RenderCommand implements Callable<Integer> {
 
     @Mixin private TextureOptions texture;
 
+    @Mixin private LeastPicture least;
+
     @Option(names = "--reference", description = "the exact picture, whatever --visibility says")
     private boolean reference;
 
@@ -136,12 +140,14 @@ public final class RenderCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        RenderRequest request = request();
+        RenderRequest asked = request();
         if (out == null && other == null && !errors)
             throw Complaint.badInput(
                     "nothing to do; give --out FILE.png, --diff OTHER.png or --errors");
-        if (errors) requireErrors(request.look());
+        if (errors) requireErrors(asked.look());
         if (out != null) requirePng(out);
+        Optional<Plan> plan = least.plan(asked);
+        RenderRequest request = plan.map(Plan::least).orElse(asked);
         RenderMemory.require(request, (other == null ? 0 : 3) + (errors ? 3 : 0));
         Optional<BufferedImage> expected =
                 Optional.ofNullable(other)
@@ -158,7 +164,7 @@ public final class RenderCommand implements Callable<Integer> {
         if (out != null) WholeFile.write(out, PngFile.bytes(picture.image()));
         Optional<ShadingErrors> shadings =
                 errors ? Optional.of(ShadingErrors.of(request, progress)) : Optional.empty();
-        new RenderReport(request, milliseconds, work, out, other, difference, shadings)
+        new RenderReport(request, plan, milliseconds, work, out, other, difference, shadings)
                 .write(console.out());
         return ExitCode.DONE;
     }

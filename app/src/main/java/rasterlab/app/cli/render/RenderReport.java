@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
 import rasterlab.app.plan.CountedWork;
+import rasterlab.app.plan.PlanReport;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Choice;
 import rasterlab.engine.pipeline.Look;
@@ -16,6 +17,7 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.Sides;
+import rasterlab.engine.plan.Plan;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.visibility.ClipPlane;
 import rasterlab.engine.visibility.VisibilityWork;
@@ -23,6 +25,7 @@ import rasterlab.engine.visibility.VisibilityWork;
 /**
  * The report that {@code ./lab render} prints.
  *
+ * @param plan by which it was drawn, if a tolerance was given
  * @param milliseconds wall time of the rendering alone
  * @param work what the visibility method counted
  * @param out where the picture was written; null if it was not
@@ -31,6 +34,7 @@ import rasterlab.engine.visibility.VisibilityWork;
  */
 record RenderReport(
         RenderRequest request,
+        Optional<Plan> plan,
         double milliseconds,
         Optional<VisibilityWork> work,
         Path out,
@@ -48,6 +52,7 @@ record RenderReport(
             if (work.isPresent()) writeWork(json, work.get());
             Optional<CountedWork> counted = CountedWork.of(request);
             if (counted.isPresent()) counted.get().write(json);
+            if (plan.isPresent()) PlanReport.writePlan(json, plan.get());
             if (out != null) json.writeStringField("out", out.toString());
             if (difference.isPresent()) writeDifference(json, difference.get());
             if (errors.isPresent()) errors.get().write(json);

@@ -1,5 +1,6 @@
 package rasterlab.app.cli.render;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +11,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,6 +45,64 @@ class PlanCommandTest {
         assertTrue(ran.out().contains("видимость: "), ran.out());
         assertFalse(ran.out().contains("reason."), ran.out());
         assertFalse(ran.out().matches("(?s).*(depths|faces|light) .*"), ran.out());
+    }
+
+    @Test
+    @DisplayName("a picture with a tolerance is another than the plan's, or does not say why")
+    void toleranceDrawsThePlannedPicture() throws Exception {
+        Path planned = folder.resolve("planned.png");
+        plan("torus", "--tolerance=1", "--levels=6", "--out=" + planned).assertDone();
+        Path drawn = folder.resolve("drawn.png");
+        Ran ran =
+                tolerant("torus", "--tolerance=1", "--levels=6", "--size=80x60", "--out=" + drawn);
+        ran.assertDone();
+        assertArrayEquals(Files.readAllBytes(planned), Files.readAllBytes(drawn));
+        JsonNode report = new ObjectMapper().readTree(ran.out());
+        assertEquals(6, report.path("plan").path("tolerance").path("levels").asDouble());
+        assertTrue(report.path("plan").path("levels").asDouble() <= 6, ran.out());
+        JsonNode decisions = report.path("plan").path("decisions");
+        assertTrue(decisions.size() >= 2, ran.out());
+        for (JsonNode decision : decisions)
+            assertFalse(decision.path("because").asText().isEmpty(), ran.out());
+    }
+
+    private static Ran tolerant(String... options) {
+        return Ran.lab(
+                Stream.concat(Stream.of("render"), Stream.of(options)).toArray(String[]::new));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("tolerantMistakes")
+    void oneLineSaysWhyNoPictureIsPlanned(String part, String... options) {
+        Path out = folder.resolve("b.png");
+        String[] all =
+                Stream.concat(Stream.of("cube", "--out=" + out), Stream.of(options))
+                        .toArray(String[]::new);
+        Ran ran = tolerant(all);
+        assertEquals(2, ran.exitCode(), ran.err());
+        assertEquals(1, ran.err().lines().count(), ran.err());
+        assertTrue(ran.err().contains(part), ran.err());
+        assertFalse(Files.exists(out));
+    }
+
+    static Stream<Arguments> tolerantMistakes() {
+        return Stream.of(
+                bad("levels without pixels", "--levels needs --tolerance", "--levels=3"),
+                bad("tolerance is 0", "tolerance must be above 0", "--tolerance=0"),
+                bad("tolerance is no number", "above 0 and at most 64", "--tolerance=NaN"),
+                bad(
+                        "levels are many",
+                        "levels must be from 0 to 255",
+                        "--tolerance=1",
+                        "--levels=256"),
+                bad(
+                        "visibility is chosen",
+                        "chooses the visibility",
+                        "--tolerance=1",
+                        "--visibility=z16"),
+                bad("reference", "chooses the visibility", "--tolerance=1", "--reference"),
+                bad("edges", "needs faces", "--tolerance=1", "--shading=wire"),
+                bad("two eyes", "for one eye", "--tolerance=1", "--stereo=anaglyph"));
     }
 
     @Test
