@@ -20,6 +20,8 @@ import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.plan.bill.BillTable;
+import rasterlab.app.plan.bill.PictureBills;
 import rasterlab.app.visibility.scene.SceneChoice;
 import rasterlab.app.visibility.scene.StageView;
 import rasterlab.app.visibility.scene.VisibilityChoice;
@@ -60,6 +62,8 @@ final class VisibilityInspector {
     private JLabel pixel;
     private JLabel stored;
     private final List<JLabel> values = new ArrayList<>();
+    private BillTable bill;
+    private JLabel noBill;
     private LookControls look;
     private AboutText about;
 
@@ -86,6 +90,7 @@ final class VisibilityInspector {
                 this::addWrong,
                 this::addOrder,
                 this::addPixel,
+                this::addBill,
                 this::addLook,
                 this::addAbout);
     }
@@ -135,6 +140,25 @@ final class VisibilityInspector {
         column.heading("heading.view");
         for (String key : List.of("theta", "phi", "rho", "zoom", "frameTime", "size"))
             values.add(column.value(key));
+    }
+
+    private void addBill() {
+        column.heading("heading.bill");
+        bill = new BillTable(texts.language());
+        column.wide(bill.getTableHeader());
+        column.wide(bill);
+        noBill = new JLabel(texts.text("bill.none"));
+        noBill.setName("bill.none");
+        column.wide(noBill);
+    }
+
+    /** Shows the newest count, or that there is none. */
+    void refresh(PictureBills bills) {
+        boolean there = bills.bill().isPresent();
+        bill.show(bills);
+        bill.setVisible(there);
+        bill.getTableHeader().setVisible(there);
+        noBill.setVisible(bills.current() && !there);
     }
 
     private void addLook() {
@@ -245,6 +269,7 @@ final class VisibilityInspector {
         refreshPixel(state, readings);
         List<String> texts = readings.view();
         for (int i = 0; i < texts.size(); i++) values.get(i).setText(texts.get(i));
+        refresh(model.bills());
         look.refresh();
         boolean own = choice.visibility().equals(OwnMethods.NAME);
         if (own || model.methods().stream().anyMatch(one -> one.name().equals(choice.visibility())))

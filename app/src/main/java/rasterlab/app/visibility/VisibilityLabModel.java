@@ -14,6 +14,7 @@ import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.LatestReading;
 import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.plan.bill.PictureBills;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.visibility.scene.Cameras;
 import rasterlab.app.visibility.scene.OpenedFiles;
@@ -44,6 +45,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final LatestReading reader;
     private final KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.Answer> files;
     private final ChartStudies charts;
+    private final PictureBills bills;
     private final RowLabModel rows;
     private Optional<Frame> compared = Optional.empty();
     private String ownTopic = "depth-order";
@@ -60,6 +62,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
             OwnMethods own, PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
         this.own = own;
         charts = new ChartStudies(events, onFailure);
+        bills = new PictureBills(events, onFailure);
         rows = RowLabModel.ofDepths(own, events, onFailure);
         stage =
                 new StagePictures(
@@ -90,6 +93,11 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     /** The charts that the stage can show instead of pictures. */
     ChartStudies charts() {
         return charts;
+    }
+
+    /** The counted work of the picture. */
+    PictureBills bills() {
+        return bills;
     }
 
     /** Whether the chosen method can draw the faces' edges. */
@@ -225,11 +233,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         count();
     }
 
-    /** Counts the wrong pixels of a view after which no other follows at once. */
+    /** Counts the wrong pixels and the work of a view after which no other follows at once. */
     void count() {
         if (compared.isPresent() || !stage.known()) return;
         compared = Optional.of(stage.plain(state.choice()));
         compared.ifPresent(work::compare);
+        bills.ask(stage.request(state.choice(), state.choice().visibility()));
     }
 
     public History<VisibilityChoice> history() {
@@ -318,6 +327,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         reader.settle();
         work.settle();
         charts.settle();
+        bills.settle();
         rows.settle();
     }
 
@@ -327,6 +337,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         work.close();
         reader.close();
         charts.close();
+        bills.close();
         rows.end();
     }
 
@@ -343,6 +354,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         VisibilityLabState next = state.with(choice).at(keepsStep ? state.step() : Frame.ALL);
         publish(keepsSteps ? next : next.withDrawn(Optional.empty()));
         work.cancelTelling();
+        bills.cancel();
         if (!stage.known()) return;
         work.draw(stage.frame(choice, state.step()));
         compared = Optional.empty();

@@ -103,11 +103,13 @@ public final class VisibilityPanel extends LabPanel {
         Runnable noModel = model.listen(state -> refresh());
         Runnable noRows = model.rows().listen(choice -> showMode());
         Runnable noCharts = model.charts().listen(stage::refresh);
+        Runnable noBills = model.bills().listen(inspector::refresh);
         unsubscribe =
                 () -> {
                     noModel.run();
                     noRows.run();
                     noCharts.run();
+                    noBills.run();
                 };
         showMode();
     }

@@ -1,0 +1,199 @@
+package rasterlab.app.plan.bill;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.KeyboardFocusManager;
+import java.text.NumberFormat;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JTable;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.AbstractTableModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.JTableHeader;
+import javax.swing.table.TableColumnModel;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** The bill of a picture: a row for each stage, and one for all of them. */
+public final class BillTable extends JTable {
+    private static final long serialVersionUID = 1L;
+
+    private static final List<String> COLUMNS =
+            List.of("stage", "counted", "milliseconds", "share", "plan");
+    private static final int NARROW = 100;
+    private static final int LONG = 1_000_000;
+    private static final int[] WIDTHS = {100, 66, 44, 50, 66};
+
+    private final transient Texts texts;
+    private transient Optional<PictureBill> bill = Optional.empty();
+    private transient List<PictureBill.Row> rows = List.of();
+
+    public BillTable(Language language) {
+        texts = Texts.of("plan", language);
+        setModel(new Stages());
+        setName("bill");
+        getAccessibleContext().setAccessibleName(texts.text("table"));
+        // Tab leaves the table, whose rows the arrow keys choose.
+        setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        setDefaultRenderer(Object.class, new Cells());
+        getTableHeader().setReorderingAllowed(false);
+        for (int i = 0; i < WIDTHS.length; i++)
+            getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(WIDTHS[i]));
+    }
+
+    /** As wide as there is room for: the column beside the stage is not widened. */
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(UIScale.scale(NARROW), super.getPreferredSize().height);
+    }
+
+    @Override
+    protected JTableHeader createDefaultTableHeader() {
+        return new NarrowHeader(getColumnModel());
+    }
+
+    /** Shows a bill, pale while it is of an earlier picture. */
+    public void show(PictureBills bills) {
+        setEnabled(bills.current());
+        if (!bill.equals(bills.bill())) {
+            bill = bills.bill();
+            rows = bill.map(PictureBill::rows).orElse(List.of());
+            ((AbstractTableModel) getModel()).fireTableDataChanged();
+            revalidate();
+        }
+        repaint();
+    }
+
+    private String text(int row, int column) {
+        return row < rows.size() ? text(rows.get(row), column) : total(column);
+    }
+
+    private String text(PictureBill.Row row, int column) {
+        return switch (column) {
+            case 0 -> texts.text("stage." + row.stage());
+            case 1 -> brief(row.counted());
+            case 2 -> time(row.milliseconds());
+            case 3 -> percent(row.share());
+            default -> brief(row.planned());
+        };
+    }
+
+    private String total(int column) {
+        PictureBill all = bill.orElseThrow();
+        return switch (column) {
+            case 0 -> texts.text("table.all");
+            case 2 -> time(all.counted().total());
+            case 3 -> percent(1);
+            case 4 -> texts.text("table.time", time(all.plan().cost().milliseconds()));
+            default -> "";
+        };
+    }
+
+    private String count(Optional<Long> number) {
+        return number.map(NumberFormat.getIntegerInstance(texts.locale())::format).orElse("–");
+    }
+
+    /** A long count in few digits; its cell's hint has them all. */
+    private String brief(Optional<Long> number) {
+        if (number.orElse(0L) < LONG) return count(number);
+        var format =
+                NumberFormat.getCompactNumberInstance(texts.locale(), NumberFormat.Style.SHORT);
+        format.setMaximumFractionDigits(2);
+        return format.format(number.orElseThrow());
+    }
+
+    private String time(double milliseconds) {
+        NumberFormat format = NumberFormat.getInstance(texts.locale());
+        int decimals = milliseconds < 10 ? 2 : 1;
+        format.setMinimumFractionDigits(decimals);
+        format.setMaximumFractionDigits(decimals);
+        return format.format(milliseconds);
+    }
+
+    private String percent(double share) {
+        return texts.text("table.percent", Long.toString(Math.round(100 * share)));
+    }
+
+    /** What a column means; of the first one the stage's whole name. */
+    private String hint(int row, int column) {
+        if (column == 0) return text(row, 0);
+        if (row < rows.size() && (column == 1 || column == 4))
+            return count(column == 1 ? rows.get(row).counted() : rows.get(row).planned())
+                    + ": "
+                    + meaning(column);
+        return meaning(column);
+    }
+
+    private String meaning(int column) {
+        String costs = bill.map(found -> found.counted().origin()).orElse("");
+        return texts.text(
+                "table." + COLUMNS.get(column) + ".hint",
+                COLUMNS.get(column).equals("plan") ? usual() : costs);
+    }
+
+    private String usual() {
+        return texts.text(
+                "table.within",
+                Shown.number(PictureBill.USUAL.pixels(), texts.locale()),
+                Shown.number(PictureBill.USUAL.levels(), texts.locale()));
+    }
+
+    /** The columns' names, no wider than the table. */
+    private static final class NarrowHeader extends JTableHeader {
+        private static final long serialVersionUID = 1L;
+
+        NarrowHeader(TableColumnModel columns) {
+            super(columns);
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            return new Dimension(UIScale.scale(NARROW), super.getPreferredSize().height);
+        }
+    }
+
+    private final class Stages extends AbstractTableModel {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public int getRowCount() {
+            return bill == null || bill.isEmpty() ? 0 : rows.size() + 1;
+        }
+
+        @Override
+        public int getColumnCount() {
+            return COLUMNS.size();
+        }
+
+        @Override
+        public String getColumnName(int column) {
+            return texts.text("table." + COLUMNS.get(column));
+        }
+
+        @Override
+        public Object getValueAt(int row, int column) {
+            return text(row, column);
+        }
+    }
+
+    private final class Cells extends DefaultTableCellRenderer {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public Component getTableCellRendererComponent(
+                JTable table, Object value, boolean on, boolean focused, int row, int column) {
+            super.getTableCellRendererComponent(table, value, on, focused, row, column);
+            setHorizontalAlignment(column == 0 ? LEADING : TRAILING);
+            setToolTipText(hint(row, column));
+            setEnabled(table.isEnabled());
+            if (row == rows.size() && column == 0) setFont(getFont().deriveFont(Font.BOLD));
+            return this;
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package rasterlab.app.plan.bill;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rasterlab.app.plan.CountedWork;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.plan.Plan;
+import rasterlab.engine.plan.Planner;
+import rasterlab.engine.plan.Tolerance;
+
+/**
+ * The work that was counted for a picture, beside the work of the least picture that is enough.
+ *
+ * @param counted stage by stage
+ * @param plan the least picture of the same view
+ */
+public record PictureBill(CountedWork counted, Plan plan) {
+    /** The tolerance that {@code ./lab plan} has unless it is told another. */
+    public static final Tolerance USUAL = new Tolerance(0.5, 2, 0);
+
+    /**
+     * A stage of drawing.
+     *
+     * @param stage its key
+     * @param counted how often; empty for what is done once whatever is drawn
+     * @param milliseconds of processor time by the measured prices
+     * @param share of the picture's time, 0 to 1
+     * @param planned how often in the least picture
+     */
+    public record Row(
+            String stage,
+            Optional<Long> counted,
+            double milliseconds,
+            double share,
+            Optional<Long> planned) {
+        private boolean isEmpty() {
+            return milliseconds == 0 && counted.orElse(0L) + planned.orElse(0L) == 0;
+        }
+    }
+
+    /** Counts a picture and plans its view; empty where the method has no prices, or refuses. */
+    public static Optional<PictureBill> of(RenderRequest request, Planner planner) {
+        try {
+            return CountedWork.of(request)
+                    .map(work -> new PictureBill(work, planner.plan(request, USUAL)));
+        } catch (IllegalArgumentException refused) {
+            return Optional.empty();
+        }
+    }
+
+    /** The stages that anything happens in, in the order in which a picture is made. */
+    public List<Row> rows() {
+        Map<String, Long> here = counted.work().stages();
+        Map<String, Long> least = plan.cost().work().stages();
+        double all = counted.total();
+        var rows = new ArrayList<Row>();
+        counted.milliseconds()
+                .forEach(
+                        (stage, time) ->
+                                rows.add(
+                                        new Row(
+                                                stage,
+                                                Optional.ofNullable(here.get(stage)),
+                                                time,
+                                                time / all,
+                                                Optional.ofNullable(least.get(stage)))));
+        rows.removeIf(Row::isEmpty);
+        return rows;
+    }
+}

@@ -1,0 +1,118 @@
+package rasterlab.app.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rasterlab.app.canvas.work.ModelThread;
+import rasterlab.app.language.Language;
+import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.plan.bill.BillTable;
+import rasterlab.app.plan.bill.PictureBill;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.plan.WorkCount;
+
+@Timeout(120)
+class WorkBillTest {
+    private final ModelThread thread = new ModelThread();
+    private final Renderer renderer = new Renderer();
+    private final List<Throwable> failures = new ArrayList<>();
+    private final VisibilityLabModel model =
+            new VisibilityLabModel(new OwnMethods(), renderer::render, thread, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    private PictureBill bill() {
+        return model.bills().bill().orElseThrow();
+    }
+
+    /** Chooses the cube by a method and waits for what is told of it. */
+    private RenderRequest shown(String method) {
+        model.resize(60, 45);
+        model.choose(choice -> choice.withScene("cube").withVisibility(method));
+        thread.settle(model::settle);
+        return model.state().picture().orElseThrow().request();
+    }
+
+    @Test
+    @DisplayName("the work of another picture than the shown one is told")
+    void workIsOfTheShownPicture() {
+        for (String method : List.of("zfloat", "painter")) {
+            RenderRequest request = shown(method);
+            assertEquals(WorkCount.of(request), bill().counted().work(), method);
+            assertTrue(model.bills().current(), method);
+        }
+    }
+
+    @Test
+    @DisplayName("shares leave out a stage, or the plan is of another size")
+    void sharesAreOfAllThatIsTold() {
+        RenderRequest request = shown("zfloat");
+        double shares = bill().rows().stream().mapToDouble(PictureBill.Row::share).sum();
+        assertEquals(1, shares, 1e-9);
+        assertEquals(request.width(), bill().plan().least().width());
+        assertEquals(request.camera(), bill().plan().full().camera());
+    }
+
+    @Test
+    @DisplayName("a drag is counted at each frame, or an old count is told as if it were new")
+    void dragMakesTheCountOld() {
+        shown("zfloat");
+        PictureBill before = bill();
+        model.beginDrag();
+        model.turn(0.3, 0);
+        thread.settle(model::settle);
+        assertFalse(model.bills().current(), "counted while it turns");
+        assertEquals(before, bill());
+        model.endDrag();
+        thread.settle(model::settle);
+        assertTrue(model.bills().current());
+        assertEquals(
+                model.state().choice().camera(), bill().plan().full().camera(), "of another view");
+    }
+
+    @Test
+    @DisplayName("the exact picture, whose work has no prices, keeps the count of another method")
+    void methodsWithoutPricesHaveNoBill() {
+        shown("zfloat");
+        model.choose(choice -> choice.withShading("wire"));
+        thread.settle(model::settle);
+        assertTrue(model.bills().current());
+        assertTrue(model.bills().bill().isEmpty());
+    }
+
+    @Test
+    @DisplayName("the table leaves out a stage, its sum, or a language's way to write numbers")
+    void tableHasEachStageAndTheirSum() {
+        shown("zfloat");
+        for (Language language : List.of(Language.ENGLISH, Language.RUSSIAN)) {
+            var table = new BillTable(language);
+            table.show(model.bills());
+            int last = table.getRowCount() - 1;
+            assertEquals(bill().rows().size(), last);
+            boolean english = language == Language.ENGLISH;
+            assertEquals(english ? "all" : "всего", table.getValueAt(last, 0));
+            assertEquals(english ? "100 %" : "100\u00a0%", table.getValueAt(last, 3));
+            assertEquals(english ? "pixels cleared" : "очищенные пиксели", cell(table, -1, 0));
+            assertEquals(english ? "2,700" : "2\u00a0700", cell(table, -1, 1));
+        }
+    }
+
+    /**
+     * @param row counted from the sum's
+     */
+    private static Object cell(BillTable table, int row, int column) {
+        return table.getValueAt(table.getRowCount() - 1 + row, column);
+    }
+}
