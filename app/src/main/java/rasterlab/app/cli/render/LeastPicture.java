@@ -49,7 +49,7 @@ final class LeastPicture {
         }
     }
 
-    /** What a plan says nothing about, or has chosen already. */
+    /** Refuses what a plan says nothing about, or chooses itself. */
     private static void requireFaces(RenderRequest asked) {
         if (!asked.visibility().equals(Renderer.AUTO))
             throw Complaint.badInput(

@@ -47,7 +47,7 @@ public final class BillTable extends JTable {
             getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(WIDTHS[i]));
     }
 
-    /** As wide as there is room for: the column beside the stage is not widened. */
+    /** Asks for little width, so that the column beside the stage is not widened. */
     @Override
     public Dimension getPreferredSize() {
         return new Dimension(UIScale.scale(NARROW), super.getPreferredSize().height);
@@ -120,7 +120,7 @@ public final class BillTable extends JTable {
         return texts.text("table.percent", Long.toString(Math.round(100 * share)));
     }
 
-    /** What a column means; of the first one the stage's whole name. */
+    /** Says what a column means; of the first one, the stage's whole name. */
     private String hint(int row, int column) {
         if (column == 0) return text(row, 0);
         if (row < rows.size() && (column == 1 || column == 4))
