@@ -93,7 +93,7 @@ final class CircleMutants {
     }
 
     /** Draws an octant by the root that gives the row for a column, and mirrors it. */
-    private static CircleRasterizer byRoots(IntBinaryOperator root) {
+    static CircleRasterizer byRoots(IntBinaryOperator root) {
         return (centreX, centreY, radius, out) -> {
             Mirror mirror = Mirror.about(centreX, centreY, radius, radius, out);
             for (int u = 0; ; u++) {

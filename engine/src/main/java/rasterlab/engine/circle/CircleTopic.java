@@ -9,6 +9,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Workload;
 
 /** Drawing a circle. */
@@ -41,6 +42,11 @@ public final class CircleTopic extends ArcTopic<CircleRasterizer, Circle> {
     @Override
     public List<Mutant<CircleRasterizer>> mutants() {
         return CircleMutants.all();
+    }
+
+    @Override
+    public List<Slip<CircleRasterizer>> slips(CircleRasterizer right) {
+        return CircleSlips.of(right);
     }
 
     @Override

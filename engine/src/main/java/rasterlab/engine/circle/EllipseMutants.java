@@ -69,7 +69,7 @@ final class EllipseMutants {
                         "rows-from-45-degrees-on", "corner", EllipseMutants::splitAtTheDiagonal));
     }
 
-    private interface Kept {
+    interface Kept {
         boolean test(int u, int v);
     }
 
@@ -119,7 +119,7 @@ final class EllipseMutants {
         byBoth(x0, y0, a, b, Math::rint, (u, v) -> u <= v, (u, v) -> v <= u, out);
     }
 
-    private static void byBoth(
+    static void byBoth(
             int x0,
             int y0,
             int a,

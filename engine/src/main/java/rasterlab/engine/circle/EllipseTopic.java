@@ -9,6 +9,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Workload;
 
 /** Drawing an ellipse whose axes lie along rows and columns. */
@@ -41,6 +42,11 @@ public final class EllipseTopic extends ArcTopic<EllipseRasterizer, Ellipse> {
     @Override
     public List<Mutant<EllipseRasterizer>> mutants() {
         return EllipseMutants.all();
+    }
+
+    @Override
+    public List<Slip<EllipseRasterizer>> slips(EllipseRasterizer right) {
+        return EllipseSlips.of(right);
     }
 
     @Override

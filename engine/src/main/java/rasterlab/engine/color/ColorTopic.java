@@ -12,6 +12,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.SharedAnswer;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.study.WrongLength;
@@ -60,6 +61,11 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
     @Override
     public List<Mutant<ColorConverter>> mutants() {
         return ColorMutants.all();
+    }
+
+    @Override
+    public List<Slip<ColorConverter>> slips(ColorConverter right) {
+        return ColorSlips.of(right);
     }
 
     @Override

@@ -13,6 +13,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -62,6 +63,11 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     @Override
     public List<Mutant<SeedFiller>> mutants() {
         return FillMutants.all();
+    }
+
+    @Override
+    public List<Slip<SeedFiller>> slips(SeedFiller right) {
+        return FillSlips.of(right);
     }
 
     @Override

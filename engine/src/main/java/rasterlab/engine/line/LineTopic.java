@@ -15,6 +15,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -61,6 +62,11 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     @Override
     public List<Mutant<LineRasterizer>> mutants() {
         return LineMutants.all();
+    }
+
+    @Override
+    public List<Slip<LineRasterizer>> slips(LineRasterizer right) {
+        return LineSlips.of(right);
     }
 
     @Override

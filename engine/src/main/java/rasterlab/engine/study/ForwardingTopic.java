@@ -59,6 +59,11 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     }
 
     @Override
+    public List<Slip<C>> slips(C right) {
+        return other.slips(right);
+    }
+
+    @Override
     public O run(C method, I input, int limit) {
         return other.run(method, input, limit);
     }

@@ -59,6 +59,16 @@ public interface Topic<C, I, O> {
         return method.isPresent() ? mutants(method.get()) : mutants();
     }
 
+    /**
+     * Further mistakes by which a wrong answer is told, tried where no mutant and no faulty method
+     * gives it.
+     *
+     * @param right a method that gives what is asked for
+     */
+    default List<Slip<C>> slips(C right) {
+        return List.of();
+    }
+
     /** The mutants to try on anything that may be asked for; the same one may come again. */
     default List<Mutant<C>> allMutants() {
         var all = new ArrayList<>(mutants());

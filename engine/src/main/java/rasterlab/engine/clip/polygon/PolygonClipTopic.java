@@ -13,6 +13,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -66,6 +67,11 @@ public final class PolygonClipTopic
     @Override
     public List<Mutant<PolygonClipper>> mutants() {
         return PolygonClipMutants.all();
+    }
+
+    @Override
+    public List<Slip<PolygonClipper>> slips(PolygonClipper right) {
+        return PolygonClipSlips.of(right);
     }
 
     @Override

@@ -18,6 +18,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -70,6 +71,11 @@ public final class SegmentClipTopic
     @Override
     public List<Mutant<SegmentClipper>> mutants() {
         return SegmentClipMutants.all();
+    }
+
+    @Override
+    public List<Slip<SegmentClipper>> slips(SegmentClipper right) {
+        return SegmentClipSlips.of(right);
     }
 
     /**

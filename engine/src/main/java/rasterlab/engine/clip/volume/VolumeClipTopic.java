@@ -18,6 +18,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -69,6 +70,11 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
     @Override
     public List<Mutant<VolumeClipper>> mutants() {
         return VolumeClipMutants.all();
+    }
+
+    @Override
+    public List<Slip<VolumeClipper>> slips(VolumeClipper right) {
+        return VolumeClipSlips.of(right);
     }
 
     /**

@@ -87,7 +87,7 @@ final class FaceMutants {
      *
      * @param before what is made of the corners' normals first
      */
-    private static FaceShader atPoints(UnaryOperator<double[]> before, LightAtPlace light) {
+    static FaceShader atPoints(UnaryOperator<double[]> before, LightAtPlace light) {
         return (face, weights) -> {
             double[] normals = before.apply(face.normals());
             var all = new double[weights.length];

@@ -10,6 +10,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.study.WrongLength;
@@ -58,6 +59,11 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     @Override
     public List<Mutant<FaceShader>> mutants() {
         return FaceMutants.all();
+    }
+
+    @Override
+    public List<Slip<FaceShader>> slips(FaceShader right) {
+        return FaceSlips.of(right);
     }
 
     @Override

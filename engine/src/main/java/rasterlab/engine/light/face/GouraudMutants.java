@@ -88,7 +88,7 @@ final class GouraudMutants {
     }
 
     /** Cuts the light of each corner, then mixes. */
-    private static FaceShader cut(LightAtPlace light) {
+    static FaceShader cut(LightAtPlace light) {
         return (face, weights) -> {
             double[] corners = corners(face, light);
             for (int i = 0; i < 9; i++) corners[i] = Levels.cut(corners[i]);

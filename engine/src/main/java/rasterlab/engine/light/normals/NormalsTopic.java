@@ -9,6 +9,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.study.WrongLength;
@@ -59,6 +60,11 @@ public final class NormalsTopic implements Topic<VertexNormals, TriangleSurface,
     @Override
     public List<Mutant<VertexNormals>> mutants() {
         return NormalsMutants.of(new WeightedNormals(Weight.ANGLE));
+    }
+
+    @Override
+    public List<Slip<VertexNormals>> slips(VertexNormals right) {
+        return NormalsSlips.of(right);
     }
 
     @Override

@@ -116,7 +116,7 @@ final class ShadeMutants {
         return point.light().attenuation().factor(point.distance());
     }
 
-    private static double[] negative(double[] vector) {
+    static double[] negative(double[] vector) {
         return times(vector, -1);
     }
 
@@ -167,7 +167,7 @@ final class ShadeMutants {
         return RIGHT.intensity(with(point, scaled, point.globalAmbient()));
     }
 
-    private static LitPoint with(LitPoint point, double[] normal) {
+    static LitPoint with(LitPoint point, double[] normal) {
         return new LitPoint(
                 normal,
                 point.toLight(),
@@ -178,7 +178,7 @@ final class ShadeMutants {
                 point.globalAmbient());
     }
 
-    private static LitPoint with(LitPoint point, LightSource light, double[] globalAmbient) {
+    static LitPoint with(LitPoint point, LightSource light, double[] globalAmbient) {
         return new LitPoint(
                 point.normal(),
                 point.toLight(),
@@ -216,7 +216,7 @@ final class ShadeMutants {
         return changed(terms, diffuse, terms.specular()).intensity();
     }
 
-    private static double[] specular(LitPoint point, Terms terms, double power) {
+    static double[] specular(LitPoint point, Terms terms, double power) {
         var specular = new double[3];
         for (int c = 0; c < 3; c++)
             specular[c] =
@@ -228,7 +228,7 @@ final class ShadeMutants {
         return specular;
     }
 
-    private static Terms changed(Terms terms, double[] diffuse, double[] specular) {
+    static Terms changed(Terms terms, double[] diffuse, double[] specular) {
         return new Terms(
                 terms.emission(),
                 terms.globalAmbient(),
@@ -239,11 +239,11 @@ final class ShadeMutants {
                 terms.cone());
     }
 
-    private static double dot(double[] a, double[] b) {
+    static double dot(double[] a, double[] b) {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
-    private static double[] unit(double[] vector) {
+    static double[] unit(double[] vector) {
         return times(vector, 1 / Math.hypot(vector[0], Math.hypot(vector[1], vector[2])));
     }
 
@@ -251,7 +251,7 @@ final class ShadeMutants {
         return new SurfaceMaterial(of.ambient(), of.diffuse(), of.specular(), of.emission(), 1);
     }
 
-    private static LitPoint with(LitPoint point, SurfaceMaterial material) {
+    static LitPoint with(LitPoint point, SurfaceMaterial material) {
         return new LitPoint(
                 point.normal(),
                 point.toLight(),

@@ -11,6 +11,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.SharedAnswer;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.study.WrongLength;
@@ -59,6 +60,11 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
     @Override
     public List<Mutant<PointShader>> mutants() {
         return ShadeMutants.all();
+    }
+
+    @Override
+    public List<Slip<PointShader>> slips(PointShader right) {
+        return ShadeSlips.of(right);
     }
 
     @Override

@@ -16,6 +16,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -62,6 +63,11 @@ public final class PointInPolygonTopic
     @Override
     public List<Mutant<PointInPolygon>> mutants() {
         return PointInPolygonMutants.all();
+    }
+
+    @Override
+    public List<Slip<PointInPolygon>> slips(PointInPolygon right) {
+        return PointInPolygonSlips.of(right);
     }
 
     @Override

@@ -10,6 +10,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -56,6 +57,11 @@ public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask,
     @Override
     public List<Mutant<PolygonFiller>> mutants() {
         return PolygonFillMutants.all();
+    }
+
+    @Override
+    public List<Slip<PolygonFiller>> slips(PolygonFiller right) {
+        return PolygonFillSlips.of(right);
     }
 
     @Override

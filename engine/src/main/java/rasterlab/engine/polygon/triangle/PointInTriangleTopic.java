@@ -17,6 +17,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -63,6 +64,11 @@ public final class PointInTriangleTopic
     @Override
     public List<Mutant<PointInTriangle>> mutants() {
         return PointInTriangleMutants.all();
+    }
+
+    @Override
+    public List<Slip<PointInTriangle>> slips(PointInTriangle right) {
+        return PointInTriangleSlips.of(right);
     }
 
     @Override

@@ -10,6 +10,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -50,6 +51,11 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
     @Override
     public List<Mutant<Triangulator>> mutants() {
         return TriangulateMutants.all();
+    }
+
+    @Override
+    public List<Slip<Triangulator>> slips(Triangulator right) {
+        return TriangulateSlips.of(right);
     }
 
     @Override

@@ -16,6 +16,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -68,6 +69,11 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     @Override
     public List<Mutant<CurveTracer>> mutants() {
         return CurveMutants.all();
+    }
+
+    @Override
+    public List<Slip<CurveTracer>> slips(CurveTracer right) {
+        return CurveSlips.of(right);
     }
 
     @Override

@@ -11,6 +11,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -66,6 +67,11 @@ public final class SplineFunctionTopic
     @Override
     public List<Mutant<SplineFunction>> mutants() {
         return SplineFunctionMutants.all();
+    }
+
+    @Override
+    public List<Slip<SplineFunction>> slips(SplineFunction right) {
+        return SplineFunctionSlips.of(right);
     }
 
     @Override

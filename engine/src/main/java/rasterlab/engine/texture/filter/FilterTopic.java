@@ -11,6 +11,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.study.WrongLength;
@@ -78,6 +79,11 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
     @Override
     public List<Mutant<TextureFilter>> mutants() {
         return FilterMutants.all();
+    }
+
+    @Override
+    public List<Slip<TextureFilter>> slips(TextureFilter right) {
+        return FilterSlips.of(right);
     }
 
     @Override

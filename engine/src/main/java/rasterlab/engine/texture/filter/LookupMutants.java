@@ -94,7 +94,7 @@ final class LookupMutants {
                                         s, t, Math.floor(lambda(Math.max(right, down))))));
     }
 
-    private static double lambda(double squaredStep) {
+    static double lambda(double squaredStep) {
         return DetailLevel.of(squaredStep);
     }
 
@@ -110,7 +110,7 @@ final class LookupMutants {
         return (before + 1 - (texels - before) + 0.5) / size;
     }
 
-    private interface AtLevel {
+    interface AtLevel {
         /**
          * @param right squared length of the step to the right, in texels
          * @param down the same downwards
@@ -126,7 +126,7 @@ final class LookupMutants {
         return new Mutant<>(name, "between-levels", looked(Wrap.REPEAT, at));
     }
 
-    private static PreparedFilter looked(Wrap wrap, AtLevel at) {
+    static PreparedFilter looked(Wrap wrap, AtLevel at) {
         return (width, height, argb) -> {
             var texture = new TextureSampler(Texture.of(width, height, 4, argb), wrap, wrap);
             return (s, t, dsdx, dtdx, dsdy, dtdy) ->

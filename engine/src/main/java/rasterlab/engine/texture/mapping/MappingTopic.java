@@ -12,6 +12,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.study.WrongLength;
@@ -62,6 +63,11 @@ public final class MappingTopic implements Topic<TextureMapper, TexturedSpan, Im
     @Override
     public List<Mutant<TextureMapper>> mutants() {
         return MappingMutants.all();
+    }
+
+    @Override
+    public List<Slip<TextureMapper>> slips(TextureMapper right) {
+        return MappingSlips.of(right);
     }
 
     /** A row down a floor, from 2 to 12 units away. */

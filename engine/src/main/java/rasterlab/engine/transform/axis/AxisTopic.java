@@ -9,6 +9,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.CountingArithmetic;
@@ -59,6 +60,11 @@ public final class AxisTopic implements Topic<AxisRotation, AxisTurn, Images> {
     @Override
     public List<Mutant<AxisRotation>> mutants() {
         return AxisMutants.all();
+    }
+
+    @Override
+    public List<Slip<AxisRotation>> slips(AxisRotation right) {
+        return AxisSlips.of(right);
     }
 
     @Override

@@ -9,6 +9,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.Images;
@@ -58,6 +59,11 @@ public final class RotateTopic implements Topic<PlaneRotation, Turns, Images> {
     @Override
     public List<Mutant<PlaneRotation>> mutants() {
         return RotateMutants.all();
+    }
+
+    @Override
+    public List<Slip<PlaneRotation>> slips(PlaneRotation right) {
+        return RotateSlips.of(right);
     }
 
     @Override

@@ -10,6 +10,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.CountingArithmetic;
@@ -75,6 +76,11 @@ public final class ViewTopic implements Topic<EyeView, ViewTask, Images> {
     @Override
     public List<Mutant<EyeView>> mutants() {
         return ViewMutants.all();
+    }
+
+    @Override
+    public List<Slip<EyeView>> slips(EyeView right) {
+        return ViewSlips.of(right);
     }
 
     private static Workload<ViewTask> points(int count) {

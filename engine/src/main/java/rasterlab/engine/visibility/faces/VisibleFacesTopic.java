@@ -11,6 +11,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.study.WrongLength;
@@ -50,6 +51,11 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
     @Override
     public List<Mutant<VisibleFaces>> mutants() {
         return VisibleFacesMutants.all();
+    }
+
+    @Override
+    public List<Slip<VisibleFaces>> slips(VisibleFaces right) {
+        return VisibleFacesSlips.of(right);
     }
 
     @Override

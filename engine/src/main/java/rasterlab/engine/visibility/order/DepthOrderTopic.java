@@ -10,6 +10,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -59,6 +60,11 @@ public final class DepthOrderTopic implements Topic<DepthOrder, Sight, Painting>
     @Override
     public List<Mutant<DepthOrder>> mutants() {
         return DepthOrderMutants.all();
+    }
+
+    @Override
+    public List<Slip<DepthOrder>> slips(DepthOrder right) {
+        return DepthOrderSlips.of(right);
     }
 
     @Override

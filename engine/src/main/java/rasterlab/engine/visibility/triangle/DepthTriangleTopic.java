@@ -8,6 +8,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -75,6 +76,11 @@ public final class DepthTriangleTopic
     @Override
     public List<Mutant<DepthTriangleFiller>> mutants() {
         return DepthTriangleMutants.all();
+    }
+
+    @Override
+    public List<Slip<DepthTriangleFiller>> slips(DepthTriangleFiller right) {
+        return DepthTriangleSlips.of(right);
     }
 
     @Override
