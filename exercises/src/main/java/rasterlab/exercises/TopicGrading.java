@@ -164,6 +164,15 @@ public interface TopicGrading {
         }
 
         /**
+         * Whether a wrong answer comes by a change of the right one, as far as that can be told.
+         *
+         * @param change its code
+         */
+        default boolean comesBy(String change, Answer answer) {
+            return true;
+        }
+
+        /**
          * The mistake of a method that does nothing, where the answer may be one of such: nothing
          * sent or changed, nothing but zeros. Empty for any other answer.
          */

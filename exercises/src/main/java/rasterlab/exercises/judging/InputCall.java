@@ -12,6 +12,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.TopicGrading.Caps;
+import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
@@ -38,7 +39,9 @@ final class InputCall<C, I, O> implements Call {
         this.grading = grading;
         this.input = input;
         this.demand = demand;
-        this.known = new KnownMistakes<>(grading, input, demand, this::right);
+        this.known =
+                new KnownMistakes<>(
+                        grading, input, demand, this::right, () -> truth(demand.items()));
     }
 
     private Topic<C, I, O> topic() {
@@ -105,7 +108,8 @@ final class InputCall<C, I, O> implements Call {
         Message differs = grading.difference(input, beside, actual);
         Message said = differs.and(decided(beside, actual, differs));
         // where several mistakes that are known give this answer, none of them is told
-        boolean sure = idle.isPresent() || !own.isEmpty() || known.areOne(causes);
+        boolean sure =
+                idle.isPresent() || !own.isEmpty() || known.areOne(causes) && !areChanges(causes);
         List<Cause> told = sure ? causes.get(0) : List.of();
         for (Cause one : told) said = said.and(one.said());
         if (told.isEmpty()) said = said.and(AnswerDifference.kind(beside, actual));
@@ -117,6 +121,11 @@ final class InputCall<C, I, O> implements Call {
             said = said.and(alike(further.get(), told));
         return new Finding(
                 GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
+    }
+
+    /** One answer alone does not tell whether all come by a change of the right ones. */
+    private static boolean areChanges(List<List<Cause>> causes) {
+        return causes.stream().flatMap(List::stream).map(Cause::code).anyMatch(KnownChanges::isOne);
     }
 
     /** Tells the value by which a right method decides on the item that is told to differ. */
@@ -173,6 +182,12 @@ final class InputCall<C, I, O> implements Call {
     @Override
     public boolean isRightWith(String mistake) {
         return known.isRightWith(mistake);
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // recorded by this class
+    public boolean comesBy(String change, Answer answer) {
+        return answer.output().map(output -> known.comesBy(change, (O) output)).orElse(true);
     }
 
     @Override

@@ -7,12 +7,17 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
+import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Message;
 
@@ -27,6 +32,7 @@ final class KnownMistakes<C, I, O> {
     private final I input;
     private final Demand demand;
     private final UnaryOperator<O> right;
+    private final Supplier<O> truth;
 
     /** The answer of each, worked out once, as long as there is place for it. */
     private SoftReference<Map<String, Optional<O>>> outputs =
@@ -34,16 +40,26 @@ final class KnownMistakes<C, I, O> {
 
     /**
      * @param right the right answer that is nearest to one
+     * @param truth the right answer, whatever a method gave
      */
-    KnownMistakes(ByTopic<C, I, O> grading, I input, Demand demand, UnaryOperator<O> right) {
+    KnownMistakes(
+            ByTopic<C, I, O> grading,
+            I input,
+            Demand demand,
+            UnaryOperator<O> right,
+            Supplier<O> truth) {
         this.grading = grading;
         this.topic = grading.topic();
         this.input = input;
         this.demand = demand;
         this.right = right;
+        this.truth = truth;
     }
 
-    /** Each explains the answer by itself. */
+    /**
+     * Each explains the answer by itself. Where no method is known to give it, the changes of the
+     * right answer by which it comes.
+     */
     List<List<Cause>> of(O actual) {
         List<List<Cause>> found = new ArrayList<>();
         Predicate<O> same = sameAs(actual);
@@ -56,7 +72,58 @@ final class KnownMistakes<C, I, O> {
             if (one.faulty()
                     && kept("method " + one.name(), one.implementation()).filter(same).isPresent())
                 found.add(List.of(new Cause(one.name(), grading.told(one.name()))));
+        if (found.isEmpty()) found.addAll(slips(same));
+        return found.isEmpty() ? changes(actual) : found;
+    }
+
+    private List<List<Cause>> slips(Predicate<O> same) {
+        List<List<Cause>> found = new ArrayList<>();
+        for (Slip<C> one : topic.slips(asked()))
+            if (answers(one).anyMatch(same)) {
+                String text = "slip." + topic.name() + "." + one.name();
+                found.add(List.of(new Cause(one.name(), Message.of("known-mistake", text))));
+            }
         return found;
+    }
+
+    /** A right method of what the exercise asks for. */
+    private C asked() {
+        return demand.tolerance()
+                .truth()
+                .map(name -> topic.method(name).implementation())
+                .orElseGet(() -> grading.whole(grading.plain()));
+    }
+
+    private Stream<O> answers(Slip<C> slip) {
+        return IntStream.range(0, slip.forms().size())
+                .mapToObj(i -> kept("slip " + slip.name() + i, slip.forms().get(i)))
+                .flatMap(Optional::stream);
+    }
+
+    /** Answers in one order have explanations of their own. */
+    private List<List<Cause>> changes(O actual) {
+        if (grading.isInOrder()) return List.of();
+        O wanted = right.apply(actual);
+        List<Cause> changes =
+                wanted instanceof PixelRecording one && actual instanceof PixelRecording other
+                        ? KnownChanges.of(one, other)
+                        : KnownChanges.of(grading.json(input, wanted), grading.json(input, actual));
+        return changes.stream().map(List::of).toList();
+    }
+
+    /** Whether a wrong answer comes by that change of the right one. */
+    boolean comesBy(String change, O actual) {
+        O wanted = right.apply(actual);
+        return wanted instanceof PixelRecording one && actual instanceof PixelRecording other
+                ? KnownChanges.makes(change, one, other)
+                : KnownChanges.makes(
+                        change, grading.json(input, wanted), grading.json(input, actual));
+    }
+
+    private boolean isRightChanged(String code) {
+        return truth.get() instanceof PixelRecording pixels
+                ? KnownChanges.leaves(code, pixels)
+                : KnownChanges.leaves(code, grading.json(input, truth.get()));
     }
 
     /** Whether these are one mistake: a mutant may be a faulty method by another name. */
@@ -93,6 +160,9 @@ final class KnownMistakes<C, I, O> {
 
     /** Whether the mistake of that name does not show on this input; so does one not known here. */
     boolean isRightWith(String name) {
+        if (KnownChanges.isOne(name)) return isRightChanged(name);
+        for (Slip<C> one : topic.slips(asked()))
+            if (one.name().equals(name)) return answers(one).anyMatch(this::isRight);
         return Stream.concat(
                         mutants().stream()
                                 .filter(one -> one.name().equals(name))

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Message;
 
@@ -45,6 +46,13 @@ final class SharedCause {
      */
     Message said() {
         if (wrong.isEmpty()) return Message.NONE;
+        Optional<Cause> change = new ChangedAnswers(cases).only();
+        if (change.isPresent())
+            return wrong.size() < 2
+                    ? Message.NONE
+                    : Message.of("cause.shared")
+                            .and(change.get().said())
+                            .and(example().orElse(Message.NONE));
         List<Cause> known = known();
         List<Cause> alone = known.stream().filter(one -> explainAll(List.of(one))).toList();
         if (wrong.size() < 2 && !isLeftAlone(alone)) return Message.NONE;
@@ -89,6 +97,7 @@ final class SharedCause {
         Set<Cause> known = new LinkedHashSet<>();
         for (TriedCall call : wrong)
             for (List<Cause> one : call.finding().explanations()) known.addAll(one);
+        known.removeIf(one -> KnownChanges.isOne(one.code()));
         return known.stream().filter(this::leavesRightOnesRight).toList();
     }
 

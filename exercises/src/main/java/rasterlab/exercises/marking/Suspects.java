@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Message;
 
@@ -16,10 +17,13 @@ import rasterlab.exercises.score.Message;
 final class Suspects {
     private final List<Call> right = new ArrayList<>();
 
+    private final ChangedAnswers changed;
+
     /** Whether a mistake leaves the right answers right, by its code. */
     private final Map<String, Boolean> possible = new HashMap<>();
 
     Suspects(List<CaseTrial> cases) {
+        changed = new ChangedAnswers(cases);
         for (CaseTrial tried : cases)
             for (TriedCall call : tried.calls()) if (call.right()) right.add(call.call());
     }
@@ -29,11 +33,13 @@ final class Suspects {
      * left, or one is told already.
      */
     Message only(TriedCall wrong, Message told) {
+        if (changed.explains(wrong)) return changed.only().orElseThrow().said();
         List<List<Cause>> known = wrong.finding().explanations();
         if (known.size() < 2 || isTold(known, told)) return Message.NONE;
         Optional<List<Cause>> only = Optional.empty();
         for (List<Cause> one : known) {
             if (!one.stream().allMatch(cause -> isPossible(cause.code()))) continue;
+            if (one.stream().map(Cause::code).anyMatch(KnownChanges::isOne)) continue;
             if (only.isPresent()) return Message.NONE;
             only = Optional.of(one);
         }

@@ -55,6 +55,12 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
                 : List.of();
     }
 
+    /** Whether the answer, right or wrong, fits a program that changes every right one so. */
+    boolean fits(String change) {
+        if (right()) return call.isRightWith(change);
+        return answer.map(one -> call.comesBy(change, one)).orElse(true);
+    }
+
     boolean mayBe(Set<String> mistakes) {
         return explanations().stream().flatMap(List::stream).anyMatch(mistakes::contains);
     }

@@ -20,7 +20,7 @@ record ReportTexts(ResourceBundle general) {
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
     private static final Pattern ON_A_TOPIC =
             Pattern.compile(
-                    "(mutant|property|hazard|place|faults?|decided|rule|bound)\\.([a-z-]+)\\.(.+)");
+                    "(mutant|slip|property|hazard|place|faults?|decided|rule|bound)\\.([a-z-]+)\\.(.+)");
 
     /** The beginning of the keys of texts that no new report has. */
     private static final String WAS = "was.";

@@ -12,7 +12,7 @@ import rasterlab.exercises.words.TopicWords;
 /** All texts of reports in one language, those on topics by the keys that reports have. */
 final class AllTexts {
     private static final List<String> OF_TOPICS =
-            List.of("mutant.", "property.", "place.", "decided.", "rule.", "bound.");
+            List.of("mutant.", "slip.", "property.", "place.", "decided.", "rule.", "bound.");
 
     private AllTexts() {}
 
