@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -41,8 +42,8 @@ import rasterlab.exercises.topic.TopicGradings;
  * Programs as students write them are judged as a teacher would.
  *
  * <p>They stand in {@code programs/EXERCISE/right} and {@code programs/EXERCISE/wrong} among the
- * resources. A wrong one has the name of its mistake: a mutant, a faulty method or an own word of
- * the topic; what follows a dot tells several apart. A right one keeps all points but those for
+ * resources. A wrong one has the name of its mistake: a mutant, a slip, a change of the right
+ * answer, a faulty method or an own word of the topic; what follows a dot tells several apart. A right one keeps all points but those for
  * speed; one whose name ends in {@code .plain} may lose some at the borders of doubles, for
  * stability alone. Of one that ends in {@code .unnamed} the points alone tell that it is wrong. All
  * are tried in this process, the right ones with several seeds; one of each exercise is handed in
@@ -141,6 +142,14 @@ class StudentProgramsTest {
         }
     }
 
+    /** All but a tenth have a name that the test above asks for. */
+    @Test
+    void nineInTenWrongProgramsHaveAMistakeWithAName() throws IOException {
+        List<Path> all = wrong().map(StudentProgramsTest::file).toList();
+        long unnamed = all.stream().filter(file -> isMarked(file, "unnamed")).count();
+        assertTrue(10 * unnamed <= all.size(), unnamed + " of " + all.size() + " have none");
+    }
+
     /** Exercises of which a check on the student's own computer tells the mistake, too. */
     private static final Set<String> TOLD_BY_OPEN_CASES =
             Set.of("point-in-polygon", "polygon-fill", "hermite", "gouraud");
@@ -184,8 +193,12 @@ class StudentProgramsTest {
     }
 
     private static String said(String topic, String mistake, String language) {
-        String mutant = "mutant." + topic + "." + mistake;
-        if (Message.isKnown(mutant)) return Message.of("known-mistake", mutant).in(language);
+        for (String key :
+                List.of(
+                        "mutant." + topic + "." + mistake,
+                        "slip." + topic + "." + mistake,
+                        "change." + mistake))
+            if (Message.isKnown(key)) return Message.of("known-mistake", key).in(language);
         String own = "mistake." + mistake;
         return Message.isKnown(own) ? Message.of(own).in(language) : mistake;
     }

@@ -1,0 +1,47 @@
+import rasterlab.contract.FaceShader;
+import rasterlab.contract.LitFace;
+
+public class Planes implements FaceShader {
+    @Override
+    public double[] shade(LitFace face, double[] weights) {
+        double[] all = new double[weights.length];
+        for (int colour = 0; colour < 3; colour++) {
+            double first = light(face, 0, colour);
+            double second = light(face, 1, colour) - first;
+            double third = light(face, 2, colour) - first;
+            for (int i = 0; i < weights.length; i += 3)
+                all[i + colour] = first + weights[i] * second + weights[i + 1] * third;
+        }
+        return all;
+    }
+
+    private double light(LitFace face, int vertex, int colour) {
+        double[] l = way(face.corners(), vertex, face.lamp());
+        double[] v = way(face.corners(), vertex, face.eye());
+        double nx = face.normals()[3 * vertex];
+        double ny = face.normals()[3 * vertex + 1];
+        double nz = face.normals()[3 * vertex + 2];
+        double n = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        double nl = (nx * l[0] + ny * l[1] + nz * l[2]) / (n * l[3]);
+        double nv = (nx * v[0] + ny * v[1] + nz * v[2]) / (n * v[3]);
+        double lv = (l[0] * v[0] + l[1] * v[1] + l[2] * v[2]) / (l[3] * v[3]);
+        var material = face.material();
+        var light = face.light();
+        double sent = light.ambient()[colour] * material.ambient()[colour];
+        if (nl > 0) {
+            sent += light.diffuse()[colour] * material.diffuse()[colour] * nl;
+            double mirrored = Math.max(0, 2 * nl * nv - lv);
+            sent += light.specular()[colour] * material.specular()[colour] * Math.pow(mirrored, material.shininess());
+        }
+        double sum = material.emission()[colour] + face.globalAmbient()[colour] * material.ambient()[colour];
+        return Math.min(1, sum + sent * light.attenuation().factor(l[3]));
+    }
+
+    /** The way from a vertex, and its length. */
+    private double[] way(double[] corners, int vertex, double[] to) {
+        double x = to[0] - corners[3 * vertex];
+        double y = to[1] - corners[3 * vertex + 1];
+        double z = to[2] - corners[3 * vertex + 2];
+        return new double[] {x, y, z, Math.sqrt(x * x + y * y + z * z)};
+    }
+}
