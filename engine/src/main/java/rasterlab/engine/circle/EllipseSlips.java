@@ -44,7 +44,7 @@ final class EllipseSlips {
                 EllipseMutants.byBoth(x, y, a, b, rounding, (u, v) -> true, (u, v) -> true, out);
     }
 
-    /** In each row the pixels that are nearest to the curve, and no others. */
+    /** Draws in each row the pixels that are nearest to the curve, and no others. */
     private static void rows(int x, int y, int a, int b, Pixels out) {
         for (int v = 0; v <= b; v++) {
             double share = b == 0 ? 0 : (double) v / b;

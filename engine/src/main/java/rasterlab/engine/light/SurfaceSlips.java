@@ -6,7 +6,7 @@ import java.util.function.UnaryOperator;
 import rasterlab.contract.LightSource;
 import rasterlab.contract.SurfaceMaterial;
 
-/** What is left out of a material or a light, or taken for something else of it, by its name. */
+/** Changes of a material or a light that leave something out of it or exchange it, by name. */
 public final class SurfaceSlips {
     private static final double[] NONE = {0, 0, 0};
     private static final double[] WHITE = {1, 1, 1};

@@ -60,7 +60,7 @@ public interface Topic<C, I, O> {
     }
 
     /**
-     * Further mistakes by which a wrong answer is told, tried where no mutant and no faulty method
+     * Mistakes beside the mutants by which a wrong answer is told, tried where no mutant and no faulty method
      * gives it.
      *
      * @param right a method that gives what is asked for

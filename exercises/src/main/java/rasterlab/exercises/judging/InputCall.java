@@ -12,12 +12,12 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.TopicGrading.Caps;
-import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.KnownChanges;
 import rasterlab.exercises.score.Message;
 
 /** One input of a topic and how an answer to it is judged. */

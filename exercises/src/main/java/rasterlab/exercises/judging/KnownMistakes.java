@@ -17,8 +17,8 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
-import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.KnownChanges;
 import rasterlab.exercises.score.Message;
 
 /**

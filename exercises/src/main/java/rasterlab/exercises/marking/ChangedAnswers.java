@@ -4,8 +4,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.KnownChanges;
 
 /**
  * Finds the one change of the right answers by which all answers of a program come. One wrong

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.KnownChanges;
 import rasterlab.exercises.score.Message;
 
 /**

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rasterlab.exercises.TopicGrading.Call;
-import rasterlab.exercises.change.KnownChanges;
 import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.KnownChanges;
 import rasterlab.exercises.score.Message;
 
 /**

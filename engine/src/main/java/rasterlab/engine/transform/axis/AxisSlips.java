@@ -55,7 +55,7 @@ final class AxisSlips {
                                         points.length - 3)));
     }
 
-    /** Of the two ways to rotate the mean, which has no term with the sine. */
+    /** The mean of the two ways to rotate, which has no term with the sine. */
     private static AxisRotation mean(AxisRotation right, int way) {
         return (through, direction, degrees, points) -> {
             double[] back = points.clone();

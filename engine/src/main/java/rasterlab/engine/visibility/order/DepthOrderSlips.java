@@ -40,7 +40,7 @@ final class DepthOrderSlips {
     }
 
     private interface Key {
-        /** What a polygon is sorted by, the least first. */
+        /** Gives what a polygon is sorted by, the least first. */
         IntToDoubleFunction of(double[][] polygons, double[] eye);
     }
 

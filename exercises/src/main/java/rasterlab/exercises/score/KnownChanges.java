@@ -1,4 +1,4 @@
-package rasterlab.exercises.change;
+package rasterlab.exercises.score;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
@@ -8,8 +8,6 @@ import java.util.Map;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import rasterlab.engine.raster.PixelRecording;
-import rasterlab.exercises.score.Cause;
-import rasterlab.exercises.score.Message;
 
 /**
  * Finds the changes by which a wrong answer comes from the right one. They tell a mistake that no

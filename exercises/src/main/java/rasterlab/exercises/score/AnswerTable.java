@@ -1,4 +1,4 @@
-package rasterlab.exercises.change;
+package rasterlab.exercises.score;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;

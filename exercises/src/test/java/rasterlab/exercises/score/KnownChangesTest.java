@@ -1,4 +1,4 @@
-package rasterlab.exercises.change;
+package rasterlab.exercises.score;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -13,8 +13,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.document.OwnJson;
-import rasterlab.exercises.score.Cause;
-import rasterlab.exercises.score.Message;
 
 /** The changes by which a wrong answer comes from the right one are found, and no others. */
 class KnownChangesTest {

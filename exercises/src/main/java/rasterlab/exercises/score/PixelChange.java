@@ -1,4 +1,4 @@
-package rasterlab.exercises.change;
+package rasterlab.exercises.score;
 
 import java.util.HashSet;
 import java.util.Locale;
