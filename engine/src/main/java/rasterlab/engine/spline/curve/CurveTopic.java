@@ -6,6 +6,7 @@ import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.exact.CurveComparison;
+import rasterlab.engine.spline.exact.CurveSlips;
 import rasterlab.engine.spline.exact.CurveTask;
 import rasterlab.engine.spline.exact.DenseCurve;
 import rasterlab.engine.spline.exact.ExactCurve;

@@ -1,4 +1,4 @@
-package rasterlab.engine.spline.curve;
+package rasterlab.engine.spline.exact;
 
 import java.util.Arrays;
 import java.util.List;
@@ -10,10 +10,10 @@ import rasterlab.contract.CurveTracer;
 import rasterlab.engine.study.Slip;
 
 /** Curves whose weights, points or derivatives are mistaken. */
-final class CurveSlips {
+public final class CurveSlips {
     private CurveSlips() {}
 
-    static List<Slip<CurveTracer>> of(CurveTracer right) {
+    public static List<Slip<CurveTracer>> of(CurveTracer right) {
         return Stream.of(ofBezier(right), ofHermite(right)).flatMap(List::stream).toList();
     }
 
