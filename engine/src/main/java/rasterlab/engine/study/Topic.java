@@ -60,8 +60,8 @@ public interface Topic<C, I, O> {
     }
 
     /**
-     * Mistakes beside the mutants by which a wrong answer is told, tried where no mutant and no faulty method
-     * gives it.
+     * Mistakes beside the mutants by which a wrong answer is told, tried where no mutant and no
+     * faulty method gives it.
      *
      * @param right a method that gives what is asked for
      */

@@ -43,11 +43,11 @@ import rasterlab.exercises.topic.TopicGradings;
  *
  * <p>They stand in {@code programs/EXERCISE/right} and {@code programs/EXERCISE/wrong} among the
  * resources. A wrong one has the name of its mistake: a mutant, a slip, a change of the right
- * answer, a faulty method or an own word of the topic; what follows a dot tells several apart. A right one keeps all points but those for
- * speed; one whose name ends in {@code .plain} may lose some at the borders of doubles, for
- * stability alone. Of one that ends in {@code .unnamed} the points alone tell that it is wrong. All
- * are tried in this process, the right ones with several seeds; one of each exercise is handed in
- * as by a student.
+ * answer, a faulty method or an own word of the topic; what follows a dot tells several apart. A
+ * right one keeps all points but those for speed; one whose name ends in {@code .plain} may lose
+ * some at the borders of doubles, for stability alone. Of one that ends in {@code .unnamed} the
+ * points alone tell that it is wrong. All are tried in this process, the right ones with several
+ * seeds; one of each exercise is handed in as by a student.
  */
 @Tag("slow")
 class StudentProgramsTest {

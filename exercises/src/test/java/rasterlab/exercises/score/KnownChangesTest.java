@@ -69,8 +69,7 @@ class KnownChangesTest {
                 "rows-filled | ##.. ###. #... ####"
             })
     void aChangeOfTheWholePictureIsFound(String change, String picture) {
-        List<String> found =
-                codes(KnownChanges.of(pixels("##.. #.#. #... ####"), pixels(picture)));
+        List<String> found = codes(KnownChanges.of(pixels("##.. #.#. #... ####"), pixels(picture)));
         assertTrue(found.contains("changed-" + change), found.toString());
     }
 
