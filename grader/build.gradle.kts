@@ -12,6 +12,8 @@ dependencies {
     implementation(libs.hikari)
     implementation(libs.jackson.databind)
     implementation(libs.jackson.dataformat.csv)
+    implementation(libs.jackson.dataformat.yaml)
+    implementation(libs.micrometer.registry.prometheus)
     implementation(libs.picocli)
     implementation(libs.ktor.server.auth)
     implementation(libs.ktor.server.cio)
@@ -29,6 +31,7 @@ dependencies {
     implementation(libs.kotlinx.serialization.json)
     implementation(libs.sqlite.jdbc)
     testImplementation(libs.flyway.database.postgresql)
+    testImplementation(libs.json.schema.validator)
     testImplementation(libs.ktor.server.test.host)
     testImplementation(libs.postgresql)
 }

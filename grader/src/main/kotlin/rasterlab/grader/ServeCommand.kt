@@ -10,9 +10,11 @@ import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.exercises.runner.Isolation
 import rasterlab.exercises.runner.Judge
 import rasterlab.exercises.runner.JudgeSettings
+import rasterlab.grader.edge.DoorLimits
 import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.KeptExercises
+import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
 import rasterlab.grader.storage.DataFolder
@@ -88,6 +90,27 @@ internal class ServeCommand(
     var exercises: Path? = null
 
     @Option(
+        names = ["--proxy"],
+        paramLabel = "ADDRESS",
+        description = [
+            "Addresses of reverse proxies, with commas between them: what their headers X-Forwarded-For and",
+            "X-Forwarded-Proto say is believed (default: nobody's).",
+        ],
+    )
+    var proxy: String? = null
+
+    @Option(
+        names = ["--config"],
+        paramLabel = "FILE",
+        description = [
+            "Settings in YAML: for each option, but for this one and --heap, a line",
+            "with its name without dashes, such as 'port: 8080'.",
+            "What is given here counts more.",
+        ],
+    )
+    var config: Path? = null
+
+    @Option(
         names = ["--workers"],
         paramLabel = "N",
         defaultValue = "1",
@@ -111,14 +134,16 @@ internal class ServeCommand(
     var heap = 256
 
     override fun call(): Int {
+        config?.let { OptionsFile.read(it).applyTo(spec.commandLine()) }
         if (port !in 0..LAST_PORT) throw CannotStart(Reason.PORT, port, LAST_PORT)
         if (workers !in 1..MOST_WORKERS) throw CannotStart(Reason.WORKERS, workers, MOST_WORKERS)
         if (heap !in LEAST_HEAP..MOST_HEAP) throw CannotStart(Reason.HEAP, heap, LEAST_HEAP, MOST_HEAP)
         tellOtherHeap()
+        val proxies = proxies()
         val address = address()
         val catalogue = catalogue()
         if (exam) refuseExamsWithoutIsolation()
-        StopSignal().use { stop -> run(catalogue, address, stop) }
+        StopSignal().use { stop -> run(catalogue, address, proxies, stop) }
         return 0
     }
 
@@ -139,6 +164,7 @@ internal class ServeCommand(
     private fun run(
         catalogue: Catalogue,
         address: InetSocketAddress,
+        proxies: Set<InetAddress>,
         stop: StopSignal,
     ) {
         DataFolder.take(data, db).use { folder ->
@@ -154,13 +180,17 @@ internal class ServeCommand(
                         Exercises(catalogue.all(), kept::find),
                         judge,
                         judge.isolation(),
-                        ServerSettings(workers),
+                        ServerSettings(workers, proxies = proxies),
                         stopping = stop::isAsked,
-                    ).use { serve(it, judge.isolation(), address, stop) }
+                        children = judge::livingChildren,
+                    ).use { serve(it, judge.isolation(), address, DoorLimits(proxies = proxies), stop) }
                 }
             }
         }
     }
+
+    private fun proxies(): Set<InetAddress> =
+        proxy?.let { Forwarding.proxies(it) ?: throw CannotStart(Reason.PROXY, it) }.orEmpty()
 
     private fun address(): InetSocketAddress {
         val address =
@@ -206,9 +236,10 @@ internal class ServeCommand(
         server: Server,
         isolation: Isolation,
         address: InetSocketAddress,
+        limits: DoorLimits,
         stop: StopSignal,
     ) {
-        Listening(address) { server.install(this, it) }.use { listening ->
+        Listening(address, limits) { server.install(this, it) }.use { listening ->
             server.startGrading()
             announce(server, listening.port)
             isolationLines(words, isolation).forEach { spec.commandLine().out.println(oneLine(it)) }

@@ -4,6 +4,7 @@ package rasterlab.grader
 import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
+import io.ktor.server.application.call
 import io.ktor.server.application.install
 import io.ktor.server.auth.Authentication
 import io.ktor.server.auth.authenticate
@@ -30,8 +31,10 @@ import rasterlab.grader.course.joining
 import rasterlab.grader.course.roster
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
+import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.hints
+import rasterlab.grader.metrics.Meters
 import rasterlab.grader.problem.refuseOtherMethods
 import rasterlab.grader.problem.showProblems
 import rasterlab.grader.problem.waitForBodies
@@ -57,6 +60,7 @@ import rasterlab.grader.web.PageParts
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
+import java.net.InetAddress
 import java.time.InstantSource
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
@@ -65,6 +69,7 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * @param workers submissions graded at the same time; on two cores one, so that measured speeds mean something
  * @param entriesPerMinute joins and sign-ins from one address; a class behind one router joins at once
+ * @param proxies whose word on whom they forward for is believed
  * @param bodyPatience how long the body of a request may take to arrive
  */
 data class ServerSettings(
@@ -72,12 +77,14 @@ data class ServerSettings(
     val intake: IntakeLimits = IntakeLimits(),
     val entriesPerMinute: Int = 120,
     val bodyPatience: Duration = 20.seconds,
+    val proxies: Set<InetAddress> = emptySet(),
 )
 
 /**
  * The grading server without its socket: what it is made of, and how the parts are joined.
  *
  * @param isolation what shuts the students' methods in when [grading] runs them
+ * @param children how many processes that compile and run sources live now
  */
 class Server(
     private val database: Database,
@@ -87,6 +94,7 @@ class Server(
     private val settings: ServerSettings = ServerSettings(),
     clock: InstantSource = InstantSource.system(),
     stopping: () -> Boolean = { false },
+    children: () -> Int = { 0 },
 ) : AutoCloseable {
     val accounts = Accounts(database, clock)
     private val courses = Courses(database, clock)
@@ -102,7 +110,9 @@ class Server(
     private val hints = Hints(database, clock)
     private val steady = SteadyClock(clock)
     private val leases = Leases(database, reports, clock, steady)
-    private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
+    private val meters = Meters(database, children, clock)
+    private val attempts =
+        Attempts(database, leases, exercises, meters.timed(grading), live, meters::waited, stopping)
     private val queue = GradingQueue(database, submissions, leases, attempts, live, steady, settings.workers)
     private val pageParts =
         PageParts(
@@ -124,11 +134,13 @@ class Server(
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()
 
-    /** @param address of the client; behind a proxy it is not that of the connection */
+    /** @param address at the other end of the connection, which may be a proxy's */
     fun install(
         application: Application,
         address: (ApplicationCall) -> String = { it.request.origin.remoteAddress },
     ) = with(application) {
+        val forwarding = Forwarding(settings.proxies, address)
+        intercept(ApplicationCallPipeline.Setup) { call.attributes.put(Forwarding.SECURE, forwarding.isSecure(call)) }
         // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
         intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }
         waitForBodies(settings.bodyPatience)
@@ -138,12 +150,12 @@ class Server(
         install(RateLimit) {
             register(ENTRY) {
                 rateLimiter(settings.entriesPerMinute, 1.minutes, clock = { steady.instant().toEpochMilli() })
-                requestKey { address(it) }
+                requestKey { forwarding.clientOf(it) }
             }
         }
         protect()
         routing {
-            monitoring(database, isolation)
+            monitoring(database, isolation, meters)
             pages(pageParts, ENTRY)
             route("/api/v1") {
                 rateLimit(ENTRY) { joining(courses) }

@@ -92,6 +92,9 @@ class RussianCommandTest {
             "serve --port 0 --exercises FOLDER/none --lang ru",
             "serve --port 0 --exercises FILE --lang ru",
             "serve --port 0 --exercises FOLDER --lang ru",
+            "serve --port 0 --proxy localhost --lang ru",
+            "serve --config FOLDER/none.yaml --lang ru",
+            "serve --config SETTINGS --lang ru",
             "backup --lang ru",
             "backup FOLDER --data FOLDER --lang ru",
             "backup FOLDER/b --data FOLDER/none --lang ru",
@@ -111,6 +114,7 @@ class RussianCommandTest {
             .writeText("{} []")
         val used = folder.resolve("used")
         val twice = folder.resolve("c").createLinkPointingTo(folder.resolve("b").createFile())
+        val settings = folder.resolve("s.yaml").apply { writeText("port: 0\nexam: perhaps\n") }
         val unwritten = folder.resolve("unwritten/server.lock").createDirectories().parent
         DataFolder.take(used, url = null).use {
             ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->
@@ -118,6 +122,7 @@ class RussianCommandTest {
                     call
                         .replace("FOLDER", "$folder")
                         .replace("FILE", "$file")
+                        .replace("SETTINGS", "$settings")
                         .replace("BROKEN", "$folder/broken")
                         .replace("UNWRITTEN", "$unwritten")
                         .replace("USED", "$used")
@@ -179,7 +184,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)",
+                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

@@ -23,7 +23,7 @@ import java.time.InstantSource
 
 /** A server's socket, and what is sent through it byte for byte. */
 class Wire(
-    private val port: Int,
+    val port: Int,
     val database: Database,
     val instructor: String,
 ) {

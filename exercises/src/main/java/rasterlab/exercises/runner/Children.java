@@ -60,6 +60,10 @@ final class Children implements AutoCloseable {
                 });
     }
 
+    synchronized int living() {
+        return (int) started.stream().filter(Child::isAlive).count();
+    }
+
     private Child start(ChildKind kind, boolean warm) {
         started.removeIf(child -> !child.isAlive());
         Child child = new Child(launcher.start(box.command(kind, warm)), box.nested());

@@ -113,6 +113,11 @@ public final class Judge implements Grading, AutoCloseable {
         return box.isolation();
     }
 
+    /** The number of child processes that live now, those in reserve among them. */
+    public int livingChildren() {
+        return children.living();
+    }
+
     @Override
     public Report grade(
             Exercise exercise, String sent, CaseSelection cases, Consumer<CaseReport> progress)

@@ -24,10 +24,12 @@ import kotlin.concurrent.thread
  * How many connections are open at the same time, beyond which 503 is answered.
  *
  * @param perAddress leaves room for a class behind one router
+ * @param proxies who connect for many, so that for them alone [all] counts
  */
 data class DoorLimits(
     val all: Int = mostHere(),
     val perAddress: Int = maxOf(all / 4, minOf(all, LEAST)),
+    val proxies: Set<InetAddress> = emptySet(),
 ) {
     private companion object {
         const val MOST = 1024
@@ -165,7 +167,8 @@ class Door(
         try {
             if (passages.size >= limits.all + REFUSED_MOST) return client.close()
             val address = (client.remoteAddress as InetSocketAddress).address
-            val refused = passages.size >= limits.all || passages.count { it.address == address } >= limits.perAddress
+            val most = if (address in limits.proxies) limits.all else limits.perAddress
+            val refused = passages.size >= limits.all || passages.count { it.address == address } >= most
             val passage = Passage(client, address, selector, passages::remove, ::connect, clients::remove)
             passages += passage
             if (refused) passage.refuse(TOO_MANY) else goOn(passage)

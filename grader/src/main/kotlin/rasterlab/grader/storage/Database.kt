@@ -3,6 +3,7 @@ package rasterlab.grader.storage
 
 import com.zaxxer.hikari.HikariConfig
 import com.zaxxer.hikari.HikariDataSource
+import io.micrometer.core.instrument.MeterRegistry
 import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.Jdbi
 import org.jdbi.v3.core.statement.StatementExceptions
@@ -35,7 +36,12 @@ class Database private constructor(
     fun <T> write(work: (Handle) -> T): T = writes.inTransaction<T, Exception> { work(it) }
 
     /** Whether the disk can still take a submission and its result. */
-    fun hasRoom(): Boolean = Files.getFileStore(file).usableSpace >= LEAST_FREE_BYTES
+    fun hasRoom(): Boolean = freeBytes() >= LEAST_FREE_BYTES
+
+    fun freeBytes(): Long = Files.getFileStore(file).usableSpace
+
+    /** Lets [registry] count and time how the connections are used from now on. */
+    fun measure(registry: MeterRegistry) = listOf(writer, reader).forEach { it.metricRegistry = registry }
 
     override fun close() {
         reader.close()

@@ -26,6 +26,7 @@ enum class AttemptOutcome {
 /**
  * Grades one submission at a time per thread, and sees that each gets one result.
  *
+ * @param claimed told of each attempt as it begins
  * @param stopping whether the process ends, which may end a child before its time
  */
 class Attempts(
@@ -34,6 +35,7 @@ class Attempts(
     private val exercises: Exercises,
     private val grading: Grading,
     private val live: Live,
+    private val claimed: (Submission) -> Unit = {},
     private val stopping: () -> Boolean,
 ) {
     private val log = LoggerFactory.getLogger(javaClass)
@@ -49,6 +51,7 @@ class Attempts(
         if (!database.hasRoom()) return AttemptOutcome.TRY_AGAIN
         val lease = leases.claimNext() ?: return measureNext()
         live.announce()
+        claimed(lease.submission)
         held += lease
         try {
             return settle(lease, lease.submission)

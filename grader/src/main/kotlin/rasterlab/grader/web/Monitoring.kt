@@ -12,6 +12,7 @@ import kotlinx.serialization.json.jsonObject
 import rasterlab.engine.ProductVersion
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.exercise.language
+import rasterlab.grader.metrics.Meters
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondProblem
 import rasterlab.grader.storage.Database
@@ -20,6 +21,7 @@ import rasterlab.grader.storage.Database
 fun Route.monitoring(
     database: Database,
     isolation: Isolation,
+    meters: Meters,
 ) {
     get("/healthz") { call.respondText("ok\n") }
     get("/readyz") {
@@ -27,7 +29,7 @@ fun Route.monitoring(
         database.write { it.execute("UPDATE secrets SET name = name WHERE 0") }
         call.respondText(ready(isolation, call.language()))
     }
-    get("/metrics") { call.respondText(metrics(database), PROMETHEUS_TEXT) }
+    get("/metrics") { call.respondText(meters.text(), PROMETHEUS_TEXT) }
     get("/openapi.json") { call.respondText(openApi, ContentType.Application.Json) }
 }
 
@@ -53,32 +55,4 @@ private val openApi by lazy {
     val description = Json.parseToJsonElement(text).jsonObject
     val info = description.getValue("info").jsonObject + ("version" to JsonPrimitive(ProductVersion.text()))
     JsonObject(description + ("info" to JsonObject(info))).toString()
-}
-
-/** Counts in the Prometheus text format. */
-private fun metrics(database: Database): String {
-    fun counts(sql: String) =
-        database.read { handle ->
-            handle
-                .createQuery(sql)
-                .map { row, _ -> Pair(row.getString(1), row.getLong(2)) }
-                .list()
-        }
-    return buildString {
-        appendLine("# TYPE rasterlab_submissions gauge")
-        counts("SELECT state, count(*) FROM submissions GROUP BY state").forEach { (state, count) ->
-            appendLine("rasterlab_submissions{state=\"$state\"} $count")
-        }
-        appendLine("# TYPE rasterlab_results_total counter")
-        counts("SELECT verdict, count(*) FROM results GROUP BY verdict").forEach { (verdict, count) ->
-            appendLine("rasterlab_results_total{verdict=\"$verdict\"} $count")
-        }
-        appendLine("# TYPE rasterlab_oldest_waiting_seconds gauge")
-        counts(
-            """SELECT 'age', coalesce(max(unixepoch() - unixepoch(received_at)), 0) FROM submissions WHERE state = 'queued'""",
-        ).forEach { (_, seconds) -> appendLine("rasterlab_oldest_waiting_seconds $seconds") }
-        val heap = Runtime.getRuntime().run { totalMemory() - freeMemory() }
-        appendLine("# TYPE rasterlab_heap_bytes gauge")
-        appendLine("rasterlab_heap_bytes $heap")
-    }
 }

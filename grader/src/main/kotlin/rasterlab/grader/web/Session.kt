@@ -10,7 +10,6 @@ import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.call
-import io.ktor.server.plugins.origin
 import io.ktor.server.request.httpMethod
 import io.ktor.server.request.path
 import io.ktor.server.response.header
@@ -19,6 +18,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.SESSION_COOKIE
 import rasterlab.grader.course.sessionCookie
 import rasterlab.grader.exercise.LANGUAGES
+import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.problem.Rejection
 
 /** Adds what browsers need to know to run nothing but our own files and to tell nobody where they were. */
@@ -39,7 +39,7 @@ fun ApplicationCall.signIn(
     accounts: Accounts,
     who: Identity,
 ) {
-    val secure = request.origin.scheme == "https"
+    val secure = attributes.getOrNull(Forwarding.SECURE) == true
     response.cookies.append(cookie(SESSION_COOKIE, accounts.open(who), Accounts.SESSION_LENGTH.seconds.toInt(), secure))
 }
 
