@@ -18,6 +18,7 @@ import rasterlab.exercises.runner.process.LimitCheck;
 import rasterlab.exercises.runner.process.Programs;
 import rasterlab.exercises.runner.process.Request;
 import rasterlab.exercises.runner.process.SystemAccount;
+import rasterlab.exercises.runner.process.SystemCallFilter;
 import rasterlab.exercises.score.Message;
 
 /** Finds the strongest box that works on this machine by trying it once. */
@@ -61,20 +62,43 @@ final class BoxChoice {
         }
     }
 
+    /** The strongest that answers: without the filter before without any limit. */
     private Box tried(String program, String version, boolean canDisable) {
-        List<Message> faults = new ArrayList<>();
-        if (!canDisable) faults.add(Message.of("isolation.no-userns-off"));
-        ProcessLimit limit = expectedLimit();
-        Box box = new BubblewrapBox(program, version, canDisable, limit, faults, jars);
-        Optional<String> fault = selfTest(box, limit, faults);
-        if (fault.isPresent() && limit == ProcessLimit.HOLDS) {
-            limit = ProcessLimit.TOO_LOW;
-            box = new BubblewrapBox(program, version, canDisable, limit, faults, jars);
-            fault = selfTest(box, limit, faults);
-        }
-        return fault.isEmpty()
-                ? new BubblewrapBox(program, version, canDisable, limit, faults, jars)
-                : plain("isolation.bwrap-fails", fault.get());
+        Optional<String> fault = Optional.empty();
+        for (boolean filtered : filters())
+            for (ProcessLimit limit : limits()) {
+                List<Message> faults = new ArrayList<>();
+                if (!canDisable) faults.add(Message.of("isolation.no-userns-off"));
+                if (!filtered) faults.add(Message.of("isolation.no-filter"));
+                fault =
+                        selfTest(
+                                new BubblewrapBox(
+                                        program,
+                                        version,
+                                        canDisable,
+                                        limit,
+                                        filtered,
+                                        faults,
+                                        jars),
+                                limit,
+                                filtered,
+                                faults);
+                if (fault.isEmpty())
+                    return new BubblewrapBox(
+                            program, version, canDisable, limit, filtered, faults, jars);
+            }
+        return plain("isolation.bwrap-fails", fault.orElseThrow());
+    }
+
+    private static List<Boolean> filters() {
+        return SystemCallFilter.program().isPresent() ? List.of(true, false) : List.of(false);
+    }
+
+    private static List<ProcessLimit> limits() {
+        ProcessLimit expected = expectedLimit();
+        return expected == ProcessLimit.HOLDS
+                ? List.of(ProcessLimit.HOLDS, ProcessLimit.TOO_LOW)
+                : List.of(expected);
     }
 
     private static ProcessLimit expectedLimit() {
@@ -91,7 +115,8 @@ final class BoxChoice {
      *
      * @param faults takes up what does not hold for one that answers
      */
-    private Optional<String> selfTest(Box box, ProcessLimit limited, List<Message> faults) {
+    private Optional<String> selfTest(
+            Box box, ProcessLimit limited, boolean filtered, List<Message> faults) {
         try (Child child =
                 new Child(launcher.start(box.command(ChildKind.RUN, false)), box.nested())) {
             try {
@@ -100,6 +125,8 @@ final class BoxChoice {
                     LimitCheck.fault(child.handle(), limited != ProcessLimit.TOO_LOW)
                             .map(what -> Message.of("isolation.limit-fails", what))
                             .ifPresent(faults::add);
+                if (filtered && !SystemCallFilter.holdsBelow(child.handle()))
+                    faults.add(Message.of("isolation.no-filter"));
                 return Optional.empty();
             } catch (ChildLost lost) {
                 return Optional.of(

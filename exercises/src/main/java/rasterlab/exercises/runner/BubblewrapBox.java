@@ -19,12 +19,16 @@ import rasterlab.exercises.score.Message;
 final class BubblewrapBox implements Box {
     private static final String HARNESS = "/box/harness.jar";
     private static final String CONTRACT = "/box/contract.jar";
+    private static final String SHELL = "/bin/sh";
+    private static final String FILTER_DESCRIPTOR = "9";
+    private static final String OPEN_AND_RUN = "exec \"$@\" " + FILTER_DESCRIPTOR + "<\"$0\"";
     private static final List<String> LIBRARIES =
             List.of("/lib64", "/usr/lib64", "/lib", "/usr/lib");
 
     private final String program;
     private final boolean canDisableUserNamespaces;
     private final Isolation.ProcessLimit limit;
+    private final boolean filtered;
     private final ChildJars jars;
     private final Isolation isolation;
 
@@ -33,6 +37,7 @@ final class BubblewrapBox implements Box {
      * @param version as bwrap prints it
      * @param canDisableUserNamespaces whether it knows --disable-userns (0.8 and later)
      * @param limit on the number of processes; set unless it would be too low
+     * @param filtered whether the kernel filters the system calls
      * @param faults what was found not to hold
      */
     BubblewrapBox(
@@ -40,9 +45,11 @@ final class BubblewrapBox implements Box {
             String version,
             boolean canDisableUserNamespaces,
             Isolation.ProcessLimit limit,
+            boolean filtered,
             List<Message> faults,
             ChildJars jars) {
         this.limit = limit;
+        this.filtered = filtered;
         this.program = program;
         this.canDisableUserNamespaces = canDisableUserNamespaces;
         this.jars = jars;
@@ -61,13 +68,16 @@ final class BubblewrapBox implements Box {
 
     @Override
     public List<String> command(ChildKind kind, boolean warm) {
-        List<String> command =
-                new ArrayList<>(Programs.limits(limit != Isolation.ProcessLimit.TOO_LOW));
+        List<String> command = new ArrayList<>();
+        // the shell only opens the filter's file: nothing of a submission is in its words
+        if (filtered) command.addAll(List.of(SHELL, "-c", OPEN_AND_RUN, jars.filter().toString()));
+        command.addAll(Programs.limits(limit != Isolation.ProcessLimit.TOO_LOW));
         command.add(program);
         command.addAll(List.of("--unshare-all", "--unshare-user", "--uid", "65534"));
         command.addAll(List.of("--gid", "65534", "--hostname", "box"));
         if (canDisableUserNamespaces) command.add("--disable-userns");
         command.addAll(List.of("--die-with-parent", "--new-session", "--cap-drop", "ALL"));
+        if (filtered) command.addAll(List.of("--seccomp", FILTER_DESCRIPTOR));
         command.add("--clearenv");
         // without /proc the loader cannot ask where java lies, and would not find its libraries
         Path bin = Path.of(Programs.java()).getParent();

@@ -22,10 +22,7 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
 
     /** The layers that are nowhere there yet, and that exams are not promised. */
     private static final List<Message> UNPROMISED =
-            List.of(
-                    Message.of("missing.system-calls"),
-                    Message.of("missing.groups"),
-                    Message.of("missing.image"));
+            List.of(Message.of("missing.groups"), Message.of("missing.image"));
 
     public Isolation {
         missing = List.copyOf(missing);

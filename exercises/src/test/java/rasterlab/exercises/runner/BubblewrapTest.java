@@ -69,11 +69,24 @@ class BubblewrapTest {
                 argumentSet("writes to /dev/shm", ".*FileSystem.*", write.formatted("/dev/shm/a")),
                 argumentSet(
                         "network",
-                        ".*(unreachable|refused|denied).*",
+                        ".*not permitted.*",
                         "new java.net.Socket(\"192.0.2.1\", 80); found = \"connected\";"),
                 argumentSet(
+                        "another program on this machine by its port",
+                        ".*not permitted.*",
+                        "new java.net.Socket(\"127.0.0.1\", 1); found = \"connected\";"),
+                argumentSet(
+                        "another program on this machine by its socket",
+                        ".*not permitted.*",
+                        "java.nio.channels.SocketChannel.open(java.net.StandardProtocolFamily.UNIX);"
+                                + " found = \"opened\";"),
+                argumentSet(
+                        "a port of its own",
+                        ".*not permitted.*",
+                        "new java.net.ServerSocket(0); found = \"listens\";"),
+                argumentSet(
                         "network card",
-                        "0",
+                        ".*not permitted.*",
                         "int up = 0; for (var one : java.util.Collections.list("
                                 + "java.net.NetworkInterface.getNetworkInterfaces()))"
                                 + " if (!one.isLoopback()) up++; found = \"\" + up;"),

@@ -40,11 +40,20 @@ class IsolationTest {
     }
 
     @Test
+    @DisplayName("an exam is graded where no filter of system calls holds")
+    void examsNeedTheFilter() {
+        var fault = Message.of("isolation.no-filter");
+        Isolation isolation = Isolation.bubblewrap("0.8.0", ProcessLimit.HOLDS, List.of(fault));
+        assertFalse(isolation.exam());
+        assertEquals(Message.of("missing.no-filter"), isolation.missingForExams());
+    }
+
+    @Test
     @DisplayName("what the box lacks is kept quiet")
     void whatIsMissingIsSaid() {
         Isolation isolation =
                 Isolation.bubblewrap("bubblewrap 0.8.0", ProcessLimit.HOLDS, List.of());
-        assertTrue(isolation.describe("en").contains("without a system call filter"));
-        assertTrue(isolation.describe("ru").contains("нет фильтра системных вызовов"));
+        assertTrue(isolation.describe("en").contains("without memory and processor groups"));
+        assertTrue(isolation.describe("ru").contains("нет групп памяти и процессора"));
     }
 }

@@ -15,14 +15,16 @@ import rasterlab.exercises.child.SinkSheets;
 import rasterlab.exercises.topic.TopicGradings;
 
 /**
- * The two jars that children get, in a temporary folder of our own: the harness and the contract.
+ * The two jars that children get, in a temporary folder of our own: the harness and the contract;
+ * and beside them the filter of their system calls, empty where there is none for this machine.
  * Where somebody cleans temporary folders while the judge lives, they are made anew.
  */
 public final class ChildJars implements AutoCloseable {
     private static final String CONTRACT = "contract.jar";
     private static final String CONTRACTS = "rasterlab/contract/";
     private static final String HARNESS = "harness.jar";
-    private static final List<String> FILES = List.of(CONTRACT, HARNESS);
+    private static final String FILTER = "system-calls.bpf";
+    private static final List<String> FILES = List.of(CONTRACT, HARNESS, FILTER);
 
     private final Path parent;
     private ChildFolder folder;
@@ -71,6 +73,7 @@ public final class ChildJars implements AutoCloseable {
         harness.putAll(ClassFiles.closure(RunMain.class, own));
         harness.putAll(ClassFiles.closure(CompileMain.class, own));
         write(folder.resolve(HARNESS), harness);
+        Files.write(folder.resolve(FILTER), SystemCallFilter.program().orElse(new byte[0]));
     }
 
     private static void write(Path jar, Map<String, byte[]> classes) throws IOException {
@@ -91,7 +94,15 @@ public final class ChildJars implements AutoCloseable {
         return folder().resolve(HARNESS);
     }
 
-    /** Holds the two jars and nothing else to read; another one after the first was taken away. */
+    /** The system calls that a child may make, as the kernel reads them. */
+    public Path filter() {
+        return folder().resolve(FILTER);
+    }
+
+    /**
+     * Holds the two jars, the filter and nothing else to read; another one after the first was
+     * taken away.
+     */
     public synchronized Path folder() {
         try {
             if (!folder.intact()) {

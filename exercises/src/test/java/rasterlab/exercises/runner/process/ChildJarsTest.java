@@ -25,7 +25,7 @@ class ChildJarsTest {
     @TempDir Path temporary;
 
     @ParameterizedTest(name = "a cleaner of temporary files takes {0}")
-    @ValueSource(strings = {"contract.jar", "harness.jar", "lock", "."})
+    @ValueSource(strings = {"contract.jar", "harness.jar", "system-calls.bpf", "lock", "."})
     void areMadeAnewWhenTheyAreTakenAway(String taken) throws IOException {
         try (ChildJars jars = ChildJars.assemble(temporary)) {
             Path before = jars.folder();
