@@ -158,8 +158,7 @@ class AttackNamesTest {
                 argumentSet(
                         "park that nobody ends",
                         "while (true) java.util.concurrent.locks.LockSupport.park();"),
-                argumentSet(
-                        "read of standard input", "while (true) System.in.read(new byte[9]);"));
+                argumentSet("read of standard input", "while (true) System.in.read(new byte[9]);"));
     }
 
     @Test
