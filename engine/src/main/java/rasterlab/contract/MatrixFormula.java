@@ -26,7 +26,7 @@ package rasterlab.contract;
  *   <li>ROT3DX(angle), ROT3DY(angle), ROT3DZ(angle): about x turns y towards z, about y turns z
  *       towards x, about z turns x towards y
  *   <li>SCALE3DX(a), SCALE3DY(e), SCALE3DZ(j): one coordinate times the number
- *   <li>SCALE3D(s): w = s, so that everything becomes 1/s as large; s is not 0
+ *   <li>SCALE3D(s): w = s, so that everything is scaled by 1/s; s is not 0
  *   <li>REFL3DXY, REFL3DYZ, REFL3DZX: in the plane of the two axes
  *   <li>TRANSL3D(l, m, n): x' = x + l, y' = y + m, z' = z + n
  *   <li>ROTAXIS(through, direction, angle): about the line through a point in a direction of any

@@ -31,7 +31,7 @@ class FaultyMethodToldTest {
             delimiter = '|',
             textBlock =
                     """
-            en | One mistake explains all that is wrong – pixels on axes and diagonals are sent twice, that of radius 0 eight times | (bresenham-textbook answers the same)
+            en | One mistake explains all that is wrong – pixels on axes and diagonals are plotted twice, that of radius 0 eight times | (bresenham-textbook answers the same)
             ru | Всё неверное объясняет одна ошибка — пиксели на осях и диагоналях выводятся дважды, пиксель радиуса 0\u00a0— восемь раз | (так же отвечает bresenham-textbook)
             """)
     void aMethodsFaultsAreToldWithItsName(String language, String faults, String name) {
@@ -61,7 +61,7 @@ class FaultyMethodToldTest {
                         .findFirst()
                         .orElseThrow();
         assertEquals(
-                "to show: pixels on axes and diagonals are sent twice (bresenham-textbook)",
+                "to show: pixels on axes and diagonals are plotted twice (bresenham-textbook)",
                 textbook.title("en"));
         assertEquals(
                 "показать: пиксели на осях и диагоналях выводятся дважды (bresenham-textbook)",

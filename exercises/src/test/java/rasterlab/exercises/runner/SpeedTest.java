@@ -85,7 +85,8 @@ class SpeedTest {
     void anInaccurateMethodIsNotCalledRight() throws Exception {
         CaseReport speed = speed(report(Sources.NAIVE_TEXTBOOK));
         assertEquals(GradingVerdict.NOT_MEASURED, speed.verdict());
-        assertEquals("80 % of the accuracy points come first", speed.message());
+        assertEquals(
+                "speed is measured once you have 80 % of the accuracy points", speed.message());
     }
 
     /** The right solution with a statement before its loop. */

@@ -103,7 +103,7 @@ class WindowExercisesTest extends ExercisesHarness {
     void remarkLeadsToItsLine() {
         type(Solutions.source(Solutions.FORBIDDEN));
         window.button("check").click();
-        awaitVerdict("refused");
+        awaitVerdict("not accepted");
         window.list("remarks").clickItem(0);
         robot.waitForIdle();
         var editor = window.textBox("source").target();

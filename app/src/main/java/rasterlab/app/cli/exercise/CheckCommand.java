@@ -30,15 +30,15 @@ import rasterlab.exercises.score.Report;
         name = "check",
         mixinStandardHelpOptions = true,
         description = {
-            "Says what the grading server would say to a solution: public cases only.",
+            "Checks a solution as the grading server would, on the public cases only.",
             "A failed case is drawn as text: # right, + extra, - missing, * repeated pixels.",
             "An exercise of kind break takes JSON inputs, on which it tries the faulty methods.",
-            "Of an exercise of kind predict it prints a sheet of questions; answered, it is the FILE."
+            "For an exercise of kind predict it prints a sheet of questions; answered, it is the FILE."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:every public case is right",
-            "1:a case is not right, or what was handed in was not accepted",
+            "0:all public cases pass",
+            "1:a case fails, or what was handed in was not accepted",
             "2:no such exercise, or the file cannot be read, or pictures cannot be written",
         },
         footer = {"", "Example: ./lab check line-bresenham Bresenham.java"})

@@ -39,7 +39,7 @@ import rasterlab.exercises.score.GradingVerdict;
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:every case is right",
-            "1:a case is not right, or what was handed in was not accepted by the judge",
+            "1:a case fails, or what was handed in was not accepted by the judge",
             "2:the file or the token cannot be read, or the server refuses them",
             "4:no server answers, or it takes no more just now, or the connection was lost",
         },

@@ -34,7 +34,7 @@ final class SpaceNames {
                 scale("Z", "j", j -> TextbookMatrices.scale(1, 1, j)),
                 space(
                         "SCALE3D",
-                        "H = s: everything becomes 1/s as large",
+                        "H = s: everything is scaled by 1/s",
                         MatrixInverse.space(
                                 "SCALE3D(1/s)", p -> TextbookMatrices.uniformScale(1 / p[0])),
                         p -> TextbookMatrices.uniformScale(p[0]),
