@@ -40,16 +40,16 @@ public record TopicWay<M>(
     /**
      * Words that are said beside a picture.
      *
-     * @param unlike in what the lab shows an input otherwise than it is; on any thread
+     * @param differences in what the lab shows an input otherwise than it is; on any thread
      * @param drawsBy whether the picture shows what that method does
      * @param note says so beside the picture that is shown
      */
     public record Notes<M>(
-            Comparison<M> unlike, Predicate<String> drawsBy, BiConsumer<M, HazardNote> note) {}
+            Comparison<M> differences, Predicate<String> drawsBy, BiConsumer<M, HazardNote> note) {}
 
     /** Finds in what a lab shows an input otherwise than it is. */
     public interface Comparison<M> {
-        List<ShownDifference> unlike(M lab, TopicInput input, String method);
+        List<ShownDifference> differences(M lab, TopicInput input, String method);
     }
 
     /**
@@ -158,7 +158,8 @@ public record TopicWay<M>(
                                         () -> {
                                             enter.accept(lab);
                                             input.ifPresent(one -> show.show(lab, one, beside));
-                                            // Away and back, since it may be another program now.
+                                            // The lab leaves the method and returns, since it may
+                                            // be another program now.
                                             chooseMethod.accept(lab, beside);
                                             chooseMethod.accept(lab, OwnMethods.NAME);
                                             compareWith.accept(lab, beside);

@@ -172,7 +172,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /**
-     * The size of each of the three pictures, in device pixels, from 1 to {@link
+     * Sets the size of each of the three pictures, in device pixels, from 1 to {@link
      * Raster#LARGEST_SIDE}; before the first call nothing is drawn.
      */
     public void resize(int newWidth, int newHeight) {
@@ -222,9 +222,9 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** How the lab shows a hazard's input, of a topic about light, otherwise than it is. */
-    public List<ShownDifference> unlike(Object input, String method) {
+    public List<ShownDifference> differences(Object input, String method) {
         String shown = method.equals(OwnMethods.NAME) ? "" : method;
-        if (!(input instanceof Colors colors)) return TopicBodies.unlike(input, shown);
+        if (!(input instanceof Colors colors)) return TopicBodies.differences(input, shown);
         return ColourChoice.first().with(colors, "formula").outside()
                 ? List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))
                 : List.of();

@@ -58,18 +58,18 @@ public final class TopicBodies {
     }
 
     /** How the lab shows that input of a topic otherwise than it is. */
-    static List<ShownDifference> unlike(Object input, String method) {
-        var unlike =
+    static List<ShownDifference> differences(Object input, String method) {
+        var differences =
                 new ArrayList<ShownDifference>(
-                        TopicMesh.of(input, ownNormals(input, method)).unlike());
+                        TopicMesh.of(input, ownNormals(input, method)).differences());
         if (input instanceof LitPoints points) {
             LitPoint point = points.points().get(0);
             if (point.distance() == 0)
-                unlike.add(ShownDifference.of(ShownDifference.Kind.LAMP_BESIDE, BESIDE));
+                differences.add(ShownDifference.of(ShownDifference.Kind.LAMP_BESIDE, BESIDE));
             if (SpotPlace.of(point).isPresent())
-                unlike.add(ShownDifference.of(ShownDifference.Kind.POINT_ASIDE));
+                differences.add(ShownDifference.of(ShownDifference.Kind.POINT_ASIDE));
         }
-        return unlike;
+        return differences;
     }
 
     /** The method if its normals are those that the body is shown with, and the lab has it not. */

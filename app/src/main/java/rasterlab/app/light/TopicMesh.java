@@ -19,9 +19,9 @@ import rasterlab.engine.transform.SphericalView;
 /**
  * The surface of an input of a topic about light.
  *
- * @param unlike in what it is other than the input's
+ * @param differences in what it is other than the input's
  */
-public record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
+public record TopicMesh(Mesh mesh, List<ShownDifference> differences) {
     /** World units from the middle to the farthest corner of a body that has no lamp and eye. */
     private static final double REACH = 64;
 
@@ -122,11 +122,11 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
 
     /** Made larger by a power of two, which changes no normal. */
     private static TopicMesh body(TriangleSurface bare, String method) {
-        var unlike = new ArrayList<ShownDifference>();
+        var differences = new ArrayList<ShownDifference>();
         double[] xyz = moved(bare.vertices(), middle(bare.vertices()));
         int exponent = Math.getExponent(REACH / largest(xyz));
         if (!(largest(bare.vertices()) >= SphericalView.NEAREST))
-            unlike.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
+            differences.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
         double[] larger = Arrays.stream(xyz).map(x -> Math.scalb(x, exponent)).toArray();
         var faces = new ArrayList<int[]>();
         int[] corners = bare.triangles();
@@ -135,10 +135,10 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
             if (hasArea(larger, face)) faces.add(face);
         }
         if (faces.size() < corners.length / 3)
-            unlike.add(ShownDifference.of(ShownDifference.Kind.FACES_WITHOUT_AREA));
+            differences.add(ShownDifference.of(ShownDifference.Kind.FACES_WITHOUT_AREA));
         var mesh = new Mesh(larger, faces.toArray(int[][]::new));
-        if (!method.isEmpty()) mesh = withNormals(mesh, bare, method, unlike);
-        return new TopicMesh(mesh, List.copyOf(unlike));
+        if (!method.isEmpty()) mesh = withNormals(mesh, bare, method, differences);
+        return new TopicMesh(mesh, List.copyOf(differences));
     }
 
     private static boolean hasArea(double[] xyz, int[] face) {
@@ -151,7 +151,7 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
 
     /** The normals that the method finds for the input's own numbers. */
     private static Mesh withNormals(
-            Mesh mesh, TriangleSurface bare, String method, List<ShownDifference> unlike) {
+            Mesh mesh, TriangleSurface bare, String method, List<ShownDifference> differences) {
         var topic = new NormalsTopic();
         double[] found =
                 topic.record(topic.method(method).implementation(), bare, Integer.MAX_VALUE)
@@ -174,7 +174,7 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
             }
         if (kinds.contains(ShownDifference.Kind.FACE_NORMAL))
             kinds.remove(ShownDifference.Kind.NORMALS_LENGTHENED);
-        kinds.forEach(kind -> unlike.add(ShownDifference.of(kind)));
+        kinds.forEach(kind -> differences.add(ShownDifference.of(kind)));
         return mesh.withNormals(normals);
     }
 

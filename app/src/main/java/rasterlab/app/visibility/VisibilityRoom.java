@@ -116,7 +116,8 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                                 (lab, input, method) ->
                                         show(lab, view.apply(input, method), input, method),
                                 new TopicWay.Notes<>(
-                                        (lab, input, method) -> view.apply(input, method).unlike(),
+                                        (lab, input, method) ->
+                                                view.apply(input, method).differences(),
                                         method -> true,
                                         VisibilityLabModel::tell))
                         .writing(
@@ -167,7 +168,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
             BiFunction<TopicInput, String, TopicView> view) {
         lab.enterOwn(topic);
         input.ifPresent(one -> show(lab, view.apply(one, ""), one, ""));
-        // Away and back, since it may be another program now.
+        // The lab leaves the method and returns, since it may be another program now.
         lab.choose(choice -> choice.withVisibility(drawnBy(beside)));
         lab.choose(
                 choice ->

@@ -70,7 +70,7 @@ class TopicBodiesTest {
     void methodsOwnNormalsAreShownWhereTheyHaveADirection() {
         TriangleSurface roof = input(new NormalsTopic().hazards(), "roof-with-a-long-side");
         TopicMesh own = TopicMesh.of(roof, "plain-textbook");
-        assertEquals(ShownDifference.Kind.NORMALS_LENGTHENED, own.unlike().get(0).kind());
+        assertEquals(ShownDifference.Kind.NORMALS_LENGTHENED, own.differences().get(0).kind());
         assertTrue(own.mesh().hasNormals());
         assertEquals(0, own.mesh().cornerNormal(0, 0, 0), 1e-12);
         assertEquals(1, own.mesh().cornerNormal(0, 0, 2), 1e-12);
@@ -78,7 +78,7 @@ class TopicBodiesTest {
         TopicMesh faces = TopicMesh.of(tiny, "plain-textbook");
         assertEquals(
                 List.of(ShownDifference.Kind.SCALED, ShownDifference.Kind.FACE_NORMAL),
-                faces.unlike().stream().map(ShownDifference::kind).toList());
+                faces.differences().stream().map(ShownDifference::kind).toList());
         assertEquals(faces.mesh().normalZ(0), faces.mesh().cornerNormal(0, 1, 2));
     }
 

@@ -36,13 +36,14 @@ final class GridPicture {
     }
 
     /**
-     * The right, extra and missing pixels as PNG; right ones that are {@code amiss} crossed out.
+     * The right, extra and missing pixels as PNG; right ones that are {@code misplaced} crossed
+     * out.
      */
-    byte[] difference(PixelDifference difference, PixelSet amiss) {
+    byte[] difference(PixelDifference difference, PixelSet misplaced) {
         return png(
                 graphics -> {
                     squares(graphics, difference.right());
-                    marks(graphics, PixelMark.EXTRA, amiss);
+                    marks(graphics, PixelMark.EXTRA, misplaced);
                     marks(graphics, PixelMark.MISSING, difference.missing());
                     marks(graphics, PixelMark.EXTRA, difference.extra());
                 });

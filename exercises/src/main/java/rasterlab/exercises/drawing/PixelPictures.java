@@ -30,18 +30,19 @@ public final class PixelPictures {
     /**
      * The pictures {@code expected}, {@code actual} and {@code difference}.
      *
-     * @param amiss pixels that are right, but drawn again or out of turn: crossed out in the
+     * @param misplaced pixels that are right, but drawn again or out of turn: crossed out in the
      *     difference
      * @param pixel around which a part is shown where there is no place for all: right, missing or
      *     extra
      */
-    public static List<CasePicture> of(PixelDifference difference, PixelSet amiss, Pixel pixel) {
+    public static List<CasePicture> of(
+            PixelDifference difference, PixelSet misplaced, Pixel pixel) {
         PixelWindow shown = difference.around(pixel.x(), pixel.y());
         var part = new PicturePart(shown, difference.box().orElseThrow(), pixel);
-        return new PixelPictures(difference, part).all(amiss);
+        return new PixelPictures(difference, part).all(misplaced);
     }
 
-    private List<CasePicture> all(PixelSet amiss) {
+    private List<CasePicture> all(PixelSet misplaced) {
         var grid = new GridPicture(part.shown());
         String text = difference.text(part.shown());
         return List.of(
@@ -55,17 +56,17 @@ public final class PixelPictures {
                         withRows(text, '+', '-')),
                 picture(
                         CasePicture.DIFFERENCE,
-                        grid.difference(difference, amiss),
-                        marked(text, amiss)));
+                        grid.difference(difference, misplaced),
+                        marked(text, misplaced)));
     }
 
-    /** The difference's text with a sign of their own for pixels that are right, but amiss. */
-    private String marked(String text, PixelSet amiss) {
+    /** The difference's text with a sign of their own for pixels that are right, but misplaced. */
+    private String marked(String text, PixelSet misplaced) {
         var marked = new StringBuilder(text);
         PixelWindow shown = part.shown();
         int columns = shown.xmax() - shown.xmin() + 1;
         int rows = part.isWhole() ? 0 : text.indexOf('\n') + 1;
-        PixelSet seen = amiss.filter(shown::contains);
+        PixelSet seen = misplaced.filter(shown::contains);
         for (int i = 0; i < seen.size(); i++) {
             int row = rows + (seen.y(i) - shown.ymin()) * (columns + 1);
             marked.setCharAt(row + seen.x(i) - shown.xmin(), AMISS);

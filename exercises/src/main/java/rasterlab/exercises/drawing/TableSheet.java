@@ -146,7 +146,7 @@ final class TableSheet {
         return image;
     }
 
-    /** The labels and the lines between rows. */
+    /** Draws the labels and the lines between rows. */
     private void frame(Graphics2D g) {
         g.setColor(Ink.LABEL);
         if (rows.isEmpty() || columns.isEmpty()) {
@@ -187,7 +187,7 @@ final class TableSheet {
                         cell.getX() + 2, cell.getY() + 2, cell.getWidth() - 4, ROW_HEIGHT - 4.0));
     }
 
-    /** The sign ≠, drawn as lines, for not every font has it. */
+    /** Draws the sign ≠ as lines, for not every font has it. */
     private static void unequal(Graphics2D g, double left, double top, double side) {
         for (double y : new double[] {0.36, 0.64})
             g.draw(

@@ -136,7 +136,7 @@ final class TexCheck {
         return c >= 'a' && c <= 'z' || c >= 'A' && c <= 'Z';
     }
 
-    /** The bracket that grows. */
+    /** Reads the bracket that grows. */
     private void delimiter(String command) {
         while (at < tex.length() && tex.charAt(at) == ' ') at++;
         if (at == tex.length()) {

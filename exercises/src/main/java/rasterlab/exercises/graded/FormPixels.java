@@ -31,8 +31,8 @@ final class FormPixels {
         PixelRecording right = pixels(exact);
         PixelRecording mine = pixels(actual);
         PixelDifference difference = PixelDifference.of(right, mine);
-        PixelSet amiss = PixelSet.of(new PixelOrder(right, mine).amiss(difference));
-        PixelSet again = amiss.filter(difference.right()::contains);
+        PixelSet misplaced = PixelSet.of(new PixelOrder(right, mine).misplaced(difference));
+        PixelSet again = misplaced.filter(difference.right()::contains);
         return Stream.of(difference.missing(), difference.extra(), again)
                 .filter(set -> !set.isEmpty())
                 .findFirst()

@@ -182,13 +182,13 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     protected final List<CasePicture> pictures(
             I input, PixelRecording right, PixelRecording actual) {
         PixelDifference difference = PixelDifference.of(right, actual);
-        PixelSet amiss = PixelSet.of(new PixelOrder(right, actual).amiss(difference));
+        PixelSet misplaced = PixelSet.of(new PixelOrder(right, actual).misplaced(difference));
         return FirstDifference.of(right, actual)
                 .map(
                         first ->
                                 PixelPictures.of(
                                         difference,
-                                        amiss.filter(difference.right()::contains),
+                                        misplaced.filter(difference.right()::contains),
                                         first.pixel()))
                 .orElse(List.of());
     }

@@ -11,12 +11,12 @@ import rasterlab.engine.study.Verdict;
  * A remark beside a hazard that a tab cannot show as it is, or that a method fails on.
  *
  * @param verdict on the method, for the hazard's own numbers
- * @param unlike in what the picture is other
+ * @param differences in what the picture is other
  */
 public record HazardNote(
-        String hazard, String method, Verdict verdict, List<ShownDifference> unlike) {
+        String hazard, String method, Verdict verdict, List<ShownDifference> differences) {
     public HazardNote {
-        unlike = List.copyOf(unlike);
+        differences = List.copyOf(differences);
     }
 
     public String in(Language language) {
@@ -30,7 +30,7 @@ public record HazardNote(
         String detail = verdict.detail();
         boolean failed = verdict.kind() != Verdict.Kind.EXACT;
         if (failed && !detail.isEmpty()) said += " (" + VerdictDetail.said(language, detail) + ")";
-        return Stream.concat(Stream.of(said), unlike.stream().map(each -> each.in(texts)))
+        return Stream.concat(Stream.of(said), differences.stream().map(each -> each.in(texts)))
                 .collect(Collectors.joining(". ", "", "."));
     }
 }

@@ -97,19 +97,19 @@ final class TrialReadings {
                 tried.get(),
                 onTheWay
                         ? List.of(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD))
-                        : tried.get().unlike());
+                        : tried.get().differences());
     }
 
     /** The first difference is in the table's numbers, a refusal only here. */
-    private String note(TrialScene scene, List<ShownDifference> unlike) {
+    private String note(TrialScene scene, List<ShownDifference> differences) {
         Verdict verdict = scene.verdict();
-        if (unlike.isEmpty() && verdict.kind() == Verdict.Kind.EXACT) return "";
+        if (differences.isEmpty() && verdict.kind() == Verdict.Kind.EXACT) return "";
         String detail = scene.made().isPresent() ? "" : verdict.detail();
         return new HazardNote(
                         scene.trial().hazard(),
                         scene.trial().method(),
                         new Verdict(verdict.kind(), verdict.deviation(), detail),
-                        unlike)
+                        differences)
                 .in(texts.language());
     }
 

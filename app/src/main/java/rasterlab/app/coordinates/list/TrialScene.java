@@ -119,16 +119,17 @@ record TrialScene(
     }
 
     /** How the picture of the end differs from the numbers. */
-    List<ShownDifference> unlike() {
-        var unlike = new ArrayList<ShownDifference>();
+    List<ShownDifference> differences() {
+        var differences = new ArrayList<ShownDifference>();
         if (any(i -> !exact.has(i) && !isMade(i)))
-            unlike.add(ShownDifference.of(ShownDifference.Kind.NO_IMAGE));
+            differences.add(ShownDifference.of(ShownDifference.Kind.NO_IMAGE));
         long hidden = IntStream.range(0, size()).filter(this::isHidden).count();
         if (hidden > 0)
-            unlike.add(ShownDifference.of(ShownDifference.Kind.POINTS_TOGETHER, hidden, off()));
+            differences.add(
+                    ShownDifference.of(ShownDifference.Kind.POINTS_TOGETHER, hidden, off()));
         if (any(i -> isMade(i) && !inReach(made.orElseThrow().points(), i)))
-            unlike.add(ShownDifference.of(ShownDifference.Kind.POINT_BEYOND));
-        return unlike;
+            differences.add(ShownDifference.of(ShownDifference.Kind.POINT_BEYOND));
+        return differences;
     }
 
     private boolean any(IntPredicate which) {

@@ -136,7 +136,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                     lab.show(topic, input.hazard(), input.input(), method);
                 },
                 new TopicWay.Notes<>(
-                        (lab, input, method) -> lab.unlike(input.input(), method),
+                        (lab, input, method) -> lab.differences(input.input(), method),
                         method -> method.equals(OwnMethods.NAME) || drawnBy.contains(method),
                         LightLabModel::tell));
     }

@@ -136,12 +136,12 @@ public final class LabOpening implements OpenInLab {
             TopicWay.Notes<M> notes, M lab, TopicInput input, String method) {
         if (method.isEmpty()) return Optional.empty();
         Verdict verdict = verdict(models.own().in(named(input.topic())), input.hazard(), method);
-        var unlike = new ArrayList<>(notes.unlike().unlike(lab, input, method));
+        var differences = new ArrayList<>(notes.differences().differences(lab, input, method));
         if (verdict.kind() != Verdict.Kind.EXACT && !notes.drawsBy().test(method))
-            unlike.add(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD));
-        return unlike.isEmpty()
+            differences.add(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD));
+        return differences.isEmpty()
                 ? Optional.empty()
-                : Optional.of(new HazardNote(input.hazard(), method, verdict, unlike));
+                : Optional.of(new HazardNote(input.hazard(), method, verdict, differences));
     }
 
     /** The verdict on the method for the hazard's own numbers. */
@@ -274,7 +274,7 @@ public final class LabOpening implements OpenInLab {
     @Override
     public void showToHandIn(String exercise, String topic, String json) {
         TopicCard<?> card = shown(topic, "");
-        // A program of another exercise has no part in this one.
+        // A program of another exercise does not belong to this one.
         String method = models.own().of(topic).isPresent() ? right(topic) : "";
         String input = json.isEmpty() && !method.isEmpty() ? written(card).orElse("") : json;
         if (input.isEmpty()) bring(card);

@@ -31,7 +31,7 @@ record DrawnBody(
         double[] eye,
         double radius,
         Optional<String> drawnBy,
-        List<ShownDifference> unlike) {
+        List<ShownDifference> differences) {
     /** Draws faces in their order, as is done with those that a method calls visible. */
     private static final String AS_FOUND = "none";
 
@@ -69,13 +69,13 @@ record DrawnBody(
 
     private static DrawnBody found(
             Body body, String method, double[] xyz, double[] eye, int exponent) {
-        var unlike = new ArrayList<ShownDifference>();
+        var differences = new ArrayList<ShownDifference>();
         Optional<SeenFaces> found = visible(body, method);
         int[] drawn =
                 IntStream.range(0, body.faces().length)
                         .filter(face -> found.isEmpty() || found.get().visible(face))
                         .toArray();
-        unlike.add(
+        differences.add(
                 found.isEmpty()
                         ? ShownDifference.of(ShownDifference.Kind.FACES_ALL)
                         : ShownDifference.of(
@@ -83,7 +83,8 @@ record DrawnBody(
                                 method,
                                 drawn.length,
                                 found.get().size()));
-        if (exponent != 0) unlike.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
+        if (exponent != 0)
+            differences.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
         var faces = new ArrayList<int[]>();
         var numbers = new ArrayList<Integer>();
         boolean all = true;
@@ -93,14 +94,14 @@ record DrawnBody(
             faces.addAll(pieces);
             pieces.forEach(piece -> numbers.add(face));
         }
-        if (!all) unlike.add(ShownDifference.of(ShownDifference.Kind.FACES_WITHOUT_AREA));
+        if (!all) differences.add(ShownDifference.of(ShownDifference.Kind.FACES_WITHOUT_AREA));
         return new DrawnBody(
                 new Mesh(xyz, faces.toArray(int[][]::new)),
                 numbers.stream().mapToInt(Integer::intValue).toArray(),
                 eye,
                 farthest(xyz),
                 Optional.of(found.isEmpty() ? ALL : AS_FOUND),
-                unlike);
+                differences);
     }
 
     /** The faces seen; empty where the method refuses, or none is asked. */

@@ -18,7 +18,7 @@ import rasterlab.engine.visibility.hidden.SurfaceView;
  * @param mesh as it is, or made higher
  * @param scale in pixels per unit of a picture of 800×600
  */
-record FittedSurfaces(Mesh mesh, double scale, List<ShownDifference> unlike) {
+record FittedSurfaces(Mesh mesh, double scale, List<ShownDifference> differences) {
     /** Shares of the height that what is long and low is made to take of its width. */
     private static final double HIGHER = 0.5;
 
@@ -29,8 +29,8 @@ record FittedSurfaces(Mesh mesh, double scale, List<ShownDifference> unlike) {
      */
     static FittedSurfaces of(SurfaceView input, double reach) {
         PictureFit fit = input.view().fit();
-        var unlike = new ArrayList<ShownDifference>();
-        unlike.add(
+        var differences = new ArrayList<ShownDifference>();
+        differences.add(
                 ShownDifference.of(ShownDifference.Kind.PICTURE_SIZE, fit.width(), fit.height()));
         Mesh mesh = input.mesh();
         boolean central = input.view().transform().projection() == Projection.PERSPECTIVE;
@@ -47,9 +47,9 @@ record FittedSurfaces(Mesh mesh, double scale, List<ShownDifference> unlike) {
             double factor = Math.rint(HIGHER * wide / high);
             mesh = higher(mesh, factor);
             high *= factor;
-            unlike.add(ShownDifference.of(ShownDifference.Kind.STRETCHED, factor));
+            differences.add(ShownDifference.of(ShownDifference.Kind.STRETCHED, factor));
         }
-        return new FittedSurfaces(mesh, reach / Math.max(wide, high), unlike);
+        return new FittedSurfaces(mesh, reach / Math.max(wide, high), differences);
     }
 
     /**

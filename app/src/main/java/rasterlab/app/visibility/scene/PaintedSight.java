@@ -15,7 +15,7 @@ import rasterlab.engine.visibility.order.Sight;
  * @param pieces the farthest first, in the sight's own numbers
  * @param exponent of the power of two that brings them into reach
  */
-record PaintedSight(List<Painting.Piece> pieces, int exponent, List<ShownDifference> unlike) {
+record PaintedSight(List<Painting.Piece> pieces, int exponent, List<ShownDifference> differences) {
     /** World units from the eye to the middle. */
     private static final double AWAY = 512;
 
@@ -24,9 +24,10 @@ record PaintedSight(List<Painting.Piece> pieces, int exponent, List<ShownDiffere
      */
     static PaintedSight of(Sight sight, String method, double rho) {
         var topic = new DepthOrderTopic();
-        var unlike = new ArrayList<ShownDifference>();
+        var differences = new ArrayList<ShownDifference>();
         List<Painting.Piece> pieces = topic.exact(sight, topic.mostItems()).pieces();
-        if (method.isEmpty()) unlike.add(ShownDifference.of(ShownDifference.Kind.PAINTED_AS_GIVEN));
+        if (method.isEmpty())
+            differences.add(ShownDifference.of(ShownDifference.Kind.PAINTED_AS_GIVEN));
         else {
             try {
                 pieces =
@@ -35,14 +36,14 @@ record PaintedSight(List<Painting.Piece> pieces, int exponent, List<ShownDiffere
                                         sight,
                                         topic.mostItems())
                                 .pieces();
-                unlike.add(ShownDifference.of(ShownDifference.Kind.PAINTED_IN_ORDER, method));
+                differences.add(ShownDifference.of(ShownDifference.Kind.PAINTED_IN_ORDER, method));
             } catch (IllegalArgumentException refused) {
-                unlike.add(ShownDifference.of(ShownDifference.Kind.PAINTED_AS_GIVEN));
+                differences.add(ShownDifference.of(ShownDifference.Kind.PAINTED_AS_GIVEN));
             }
         }
         int exponent = Math.getExponent(AWAY / rho);
-        unlike.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
-        return new PaintedSight(pieces, exponent, unlike);
+        differences.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
+        return new PaintedSight(pieces, exponent, differences);
     }
 
     /** A piece as seen from the eye, brought into reach. */

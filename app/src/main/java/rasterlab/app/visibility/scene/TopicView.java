@@ -22,7 +22,7 @@ import rasterlab.engine.visibility.order.Sight;
  * @param near the nearest depth that is drawn, in world units; 0 for all
  * @param far the farthest; infinite for all
  * @param drawnBy the visibility method that draws it
- * @param unlike in what it is other than the input
+ * @param differences in what it is other than the input
  */
 public record TopicView(
         Scene scene,
@@ -30,7 +30,7 @@ public record TopicView(
         double near,
         double far,
         String drawnBy,
-        List<ShownDifference> unlike) {
+        List<ShownDifference> differences) {
     /** Pixels from the middle of a picture of 800×600 to the farthest corner. */
     private static final double REACH = 240;
 
@@ -49,9 +49,9 @@ public record TopicView(
 
     /** A perspective view of a scene. */
     private static TopicView perspective(
-            Scene scene, String drawnBy, List<ShownDifference> unlike) {
+            Scene scene, String drawnBy, List<ShownDifference> differences) {
         return new TopicView(
-                scene, Projection.PERSPECTIVE, 0, Double.POSITIVE_INFINITY, drawnBy, unlike);
+                scene, Projection.PERSPECTIVE, 0, Double.POSITIVE_INFINITY, drawnBy, differences);
     }
 
     /**
@@ -67,12 +67,12 @@ public record TopicView(
                         (double) fit.height() / PictureFit.NATURAL_HEIGHT);
         Mesh mesh = input.mesh();
         double scale = fit.pixelsPerUnit() / natural;
-        List<ShownDifference> unlike = List.of();
+        List<ShownDifference> differences = List.of();
         if (smaller < FEWEST_PIXELS || larger > MOST_UNLIKE * smaller) {
             var fitted = FittedSurfaces.of(input, REACH);
             mesh = fitted.mesh();
             scale = fitted.scale();
-            unlike = fitted.unlike();
+            differences = fitted.differences();
         }
         boolean cut = Double.isFinite(input.view().far());
         return new TopicView(
@@ -81,7 +81,7 @@ public record TopicView(
                 cut ? input.view().near() : 0,
                 input.view().far(),
                 drawnBy,
-                unlike);
+                differences);
     }
 
     /**
@@ -103,7 +103,7 @@ public record TopicView(
                         Arrays.stream(drawn.numbers()).map(TopicView::colour).toArray(),
                         camera,
                         ballScale(drawn.radius(), rho));
-        return perspective(scene, drawn.drawnBy().orElse(drawnBy), drawn.unlike());
+        return perspective(scene, drawn.drawnBy().orElse(drawnBy), drawn.differences());
     }
 
     /** Pixels per unit for which a ball about the middle is seen, unless the eye is too near. */
@@ -137,7 +137,7 @@ public record TopicView(
                         larger,
                         pieces.stream().mapToInt(Painting.Piece::polygon).toArray(),
                         Math.scalb(rho, painted.exponent()));
-        return perspective(scene, AS_PAINTED, painted.unlike());
+        return perspective(scene, AS_PAINTED, painted.differences());
     }
 
     private static double[][] seen(double[][] polygons, double[] eye) {

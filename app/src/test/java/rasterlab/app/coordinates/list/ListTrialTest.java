@@ -137,7 +137,7 @@ class ListTrialTest {
     void whatThePictureCannotShowIsKnown() {
         var found = new TreeMap<String, Set<ShownDifference.Kind>>();
         for (Trial trial : trials())
-            for (ShownDifference each : tried(trial).unlike())
+            for (ShownDifference each : tried(trial).differences())
                 found.computeIfAbsent(
                                 trial.topic() + " " + trial.hazard(),
                                 name -> EnumSet.noneOf(ShownDifference.Kind.class))
@@ -152,7 +152,7 @@ class ListTrialTest {
         for (Language language : Language.values()) {
             String note = new TrialReadings(model, texts(language)).note();
             boolean fails = scene.verdict().kind() != Verdict.Kind.EXACT;
-            assertEquals(fails || !scene.unlike().isEmpty(), !note.isEmpty(), note);
+            assertEquals(fails || !scene.differences().isEmpty(), !note.isEmpty(), note);
             if (fails) assertTrue(note.contains(trial.method()), note);
             String reason = VerdictDetail.said(language, scene.verdict().detail());
             if (scene.verdict().kind() == Verdict.Kind.REFUSED)
@@ -340,7 +340,7 @@ class ListTrialTest {
         TrialScene scene =
                 tried(new Trial("rotate-axis", "axis-through-far-point", "seven-steps-textbook"));
         assertEquals(2, scene.off());
-        assertEquals(List.of(ShownDifference.of(POINTS_TOGETHER, 1L, 2)), scene.unlike());
+        assertEquals(List.of(ShownDifference.of(POINTS_TOGETHER, 1L, 2)), scene.differences());
         String note = new TrialReadings(model, texts(Language.ENGLISH)).note();
         assertTrue(note.contains("1 of 2 wrong points"), note);
     }
@@ -358,7 +358,7 @@ class ListTrialTest {
                         Optional.of(far),
                         List.of(TrialScene.Fate.WRONG),
                         new Verdict(Verdict.Kind.WRONG, Deviation.NONE, ""));
-        assertEquals(List.of(ShownDifference.of(POINT_BEYOND)), scene.unlike());
+        assertEquals(List.of(ShownDifference.of(POINT_BEYOND)), scene.differences());
         model.show(Example.AXIS);
         assertTrue(MarkBounds.around(marks(scene)).getHeight() < 100);
     }

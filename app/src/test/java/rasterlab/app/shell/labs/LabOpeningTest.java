@@ -151,15 +151,17 @@ class LabOpeningTest {
         return Topics.all().stream();
     }
 
-    private List<ShownDifference> unlike(Topic<?, ?, ?> topic, Hazard<?> hazard, Method<?> method) {
+    private List<ShownDifference> differences(
+            Topic<?, ?, ?> topic, Hazard<?> hazard, Method<?> method) {
         var input = new TopicInput(topic.name(), hazard.name(), hazard.input());
-        return unlike(LabRooms.card(topic.name()), input, method.name());
+        return differences(LabRooms.card(topic.name()), input, method.name());
     }
 
-    private <M> List<ShownDifference> unlike(TopicCard<M> card, TopicInput input, String method) {
+    private <M> List<ShownDifference> differences(
+            TopicCard<M> card, TopicInput input, String method) {
         return card.way()
                 .notes()
-                .map(notes -> notes.unlike().unlike(models.of(card.lab()), input, method))
+                .map(notes -> notes.differences().differences(models.of(card.lab()), input, method))
                 .orElse(List.of());
     }
 
@@ -169,7 +171,7 @@ class LabOpeningTest {
         for (Topic<?, ?, ?> topic : Topics.all())
             for (Hazard<?> hazard : topic.hazards())
                 for (Method<?> method : topic.methods())
-                    for (ShownDifference each : unlike(topic, hazard, method))
+                    for (ShownDifference each : differences(topic, hazard, method))
                         found.computeIfAbsent(
                                         topic.name() + " " + hazard.name(),
                                         name -> EnumSet.noneOf(ShownDifference.Kind.class))
@@ -182,15 +184,15 @@ class LabOpeningTest {
     void noteSaysWhatTheMethodDoesWithTheHazardItself(Topic<?, ?, ?> topic) {
         for (Hazard<?> hazard : topic.hazards())
             for (Method<?> method : topic.methods()) {
-                List<ShownDifference> unlike = unlike(topic, hazard, method);
-                if (unlike.isEmpty()) continue;
+                List<ShownDifference> differences = differences(topic, hazard, method);
+                if (differences.isEmpty()) continue;
                 Verdict verdict = LabOpening.verdict(topic, hazard.name(), method.name());
                 String name = hazard.name() + " " + method.name();
                 assertEquals(
                         hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT),
                         verdict.kind(),
                         name);
-                var note = new HazardNote(hazard.name(), method.name(), verdict, unlike);
+                var note = new HazardNote(hazard.name(), method.name(), verdict, differences);
                 assertTrue(note.in(Language.ENGLISH).contains(method.name()), name);
                 String russian = note.in(Language.RUSSIAN);
                 if (verdict.kind() != Verdict.Kind.EXACT)
@@ -224,7 +226,7 @@ class LabOpeningTest {
         open(topic, hazard, method);
         boolean said =
                 models.light().note().stream()
-                        .flatMap(note -> note.unlike().stream())
+                        .flatMap(note -> note.differences().stream())
                         .anyMatch(each -> each.kind() == ShownDifference.Kind.OTHER_METHOD);
         assertEquals(named, said);
     }

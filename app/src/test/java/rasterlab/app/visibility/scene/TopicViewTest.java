@@ -135,7 +135,7 @@ class TopicViewTest {
         String method = "convex-segment-textbook";
         TopicView found = TopicView.of(hazard.name(), hazard.input(), method, "convex");
         TopicView right = TopicView.of(hazard.name(), hazard.input(), "back-face", "convex");
-        if (found.unlike().isEmpty()) return;
+        if (found.differences().isEmpty()) return;
         boolean wrong = hazard.recorded().get(method) == Verdict.Kind.WRONG;
         assertEquals(wrong, Arrays.mismatch(pixels(found), pixels(right)) >= 0, hazard.name());
     }
@@ -152,6 +152,6 @@ class TopicViewTest {
     }
 
     private static List<ShownDifference.Kind> kinds(TopicView view) {
-        return view.unlike().stream().map(ShownDifference::kind).toList();
+        return view.differences().stream().map(ShownDifference::kind).toList();
     }
 }
