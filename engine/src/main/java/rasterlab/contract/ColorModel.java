@@ -53,7 +53,7 @@ public enum ColorModel {
     public double highest(int index) {
         if (isHue(index)) return 360;
         if (this != HVS) return 1;
-        // The farthest corners, with what rounding may add to them.
+        // This is the distance of the farthest corners, with what rounding may add.
         return Math.sqrt(index == 1 ? 3 : 2 / 3.0) * (1 + 0x1p-50);
     }
 

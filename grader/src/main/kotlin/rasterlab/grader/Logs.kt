@@ -46,7 +46,7 @@ internal fun logTo(file: Path) {
     appender.start()
     val root = logs.getLogger(Logger.ROOT_LOGGER_NAME)
     root.addAppender(appender)
-    // Loads what writes a failure while there are files to load it from.
+    // This loads the classes that write a failure while their files can still be opened.
     appender.encoder.encode(LoggingEvent(Logger::class.java.name, root, Level.DEBUG, "", Exception(), null))
 }
 

@@ -44,7 +44,7 @@ public final class DevicePixels {
         return image;
     }
 
-    /** Smooth edges and letters, and lines that lie where they are told to. */
+    /** Asks for smooth edges and letters, and for lines that lie where they are told to. */
     public static void smooth(Graphics2D g) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(

@@ -35,7 +35,7 @@ final class PlaneHandle extends SelfDrawn {
         /** The pointer drags the point here, in the plane's coordinates. */
         void drag(PlanePoint point, Point view);
 
-        /** Arrow keys: so many key steps to the right and upward. */
+        /** Moves the point by so many key steps to the right and upward. */
         void nudge(PlanePoint point, int right, int up);
 
         void remove(PlanePoint point);
@@ -82,7 +82,7 @@ final class PlaneHandle extends SelfDrawn {
                 () -> plane.nudge(point, FAR * right, FAR * up));
     }
 
-    /** The same point elsewhere, or called otherwise. */
+    /** Shows the same point elsewhere, or under another name. */
     void show(PlanePoint next) {
         point = next;
         getAccessibleContext().setAccessibleName(next.said());

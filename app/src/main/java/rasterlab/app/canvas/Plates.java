@@ -37,7 +37,7 @@ public final class Plates {
     }
 
     /**
-     * A sentence over the lower part of a picture, wrapped to its width.
+     * Writes a sentence over the lower part of a picture, wrapped to its width.
      *
      * @param width of the picture
      * @param bottom view y below which nothing is written

@@ -39,7 +39,7 @@ public abstract class SelfDrawn extends JComponent {
                 });
     }
 
-    /** A frame at the edges, where it {@linkplain #showsFocus() has the keyboard}. */
+    /** Draws a frame at the edges, where it {@linkplain #showsFocus() has the keyboard}. */
     protected final void frameFocus(Graphics2D g) {
         if (!showsFocus()) return;
         g.setColor(StageColours.now().focus());

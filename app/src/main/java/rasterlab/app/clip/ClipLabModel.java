@@ -155,7 +155,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         if (!grip.equals(state.selected())) publish(selecting(grip));
     }
 
-    /** A corner or a segment more, beside the selected one. */
+    /** Adds a corner or a segment beside the selected one. */
     public void grow() {
         edit(state.choice().scene().grown(state.selected()));
     }

@@ -66,7 +66,7 @@ final class SegmentDrawing {
                         new double[] {x, sides.ymin() - far, x, sides.ymax() + far}, ink);
     }
 
-    /** The codes of the nine regions. */
+    /** Draws the codes of the nine regions. */
     private void regions(ClipWindow w) {
         double[] xs = {Double.NEGATIVE_INFINITY, w.xmin(), w.xmax(), Double.POSITIVE_INFINITY};
         double[] ys = {Double.NEGATIVE_INFINITY, w.ymin(), w.ymax(), Double.POSITIVE_INFINITY};

@@ -82,7 +82,7 @@ final class VolumeDrawing {
         return new SpacePoint(round == 1 || round == 2 ? z : -z, round >= 2 ? z : -z, z);
     }
 
-    /** The six faces; an edge between two that are turned away is behind the others. */
+    /** Draws the six faces; an edge between two that are turned away is behind the others. */
     private void volume(int tested) {
         if (scene.space() != VolumeSpace.CANONICAL) eye();
         add(new ClipMark.Area(face(4), ClipMark.Ink.WINDOW));
@@ -129,7 +129,7 @@ final class VolumeDrawing {
         return towards > 0 ? new SpacePoint(-normal.x(), -normal.y(), -normal.z()) : normal;
     }
 
-    /** The eye, and the rays from it to the nearest corners. */
+    /** Draws the eye, and the rays from it to the nearest corners. */
     private void eye() {
         ClipPoint at = picture.of(new SpacePoint(0, 0, 0));
         for (int i = 0; i < 4; i++)
@@ -142,7 +142,9 @@ final class VolumeDrawing {
         drawn.add(one);
     }
 
-    /** A segment of the normalised space; after the division only what lies before the eye. */
+    /**
+     * Draws a segment of the normalised space; after the division only what lies before the eye.
+     */
     private void line(double[] ends, ClipMark.Ink ink) {
         if (ends.length == 0) return;
         double[] shown = scene.space() == VolumeSpace.CANONICAL ? inFront(ends) : ends;

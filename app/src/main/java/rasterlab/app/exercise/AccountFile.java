@@ -51,7 +51,7 @@ final class AccountFile {
         }
     }
 
-    /** Saves the account; the answer tells that this does not go. */
+    /** Saves the account; answers with the reason where it cannot be saved. */
     Optional<Notice> unsaved(Account account) {
         try {
             save(account);
@@ -62,7 +62,7 @@ final class AccountFile {
         }
     }
 
-    /** Written whole, or not at all. */
+    /** Writes the file whole, or not at all. */
     void save(Account account) throws IOException {
         var kept = new Properties();
         kept.setProperty("server", account.server().toString());

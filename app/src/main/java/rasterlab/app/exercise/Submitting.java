@@ -111,7 +111,7 @@ final class Submitting {
         PublishedReport russian = ServerReport.read(server.submission(token, id, "ru"));
         List<TriedCase> cases = new ArrayList<>();
         for (PublishedCase one : english.cases()) {
-            // Not by its name: several may be called hidden.
+            // Cases are matched by place, not by name: several may be called hidden.
             Optional<PublishedCase> other = at(russian.cases(), cases.size());
             Said said = new Said(one.message(), other.map(PublishedCase::message).orElse(""));
             cases.add(

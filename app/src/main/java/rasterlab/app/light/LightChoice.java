@@ -66,7 +66,7 @@ public record LightChoice(
         Bounds.require("zoom", zoom, SMALLEST, LARGEST);
         lamps = List.copyOf(lamps);
         terms = Set.copyOf(terms);
-        // What an earlier version kept does not have it.
+        // A choice that an earlier version kept has no value here.
         if (shaded == null) shaded = "";
     }
 
@@ -219,7 +219,7 @@ public record LightChoice(
         return with(next, index);
     }
 
-    /** One lamp more, selected, unless there are {@value #MOST_LAMPS}. */
+    /** Adds a lamp and selects it, unless there are {@value #MOST_LAMPS}. */
     public LightChoice grown() {
         if (lamps.size() == MOST_LAMPS) return this;
         var next = new ArrayList<>(lamps);

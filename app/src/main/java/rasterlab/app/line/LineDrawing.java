@@ -101,7 +101,7 @@ public record LineDrawing(
         return trace.ending() == LineTrace.Ending.REFUSED;
     }
 
-    /** Lit pixels are covered wholly. */
+    /** The coverage of the pixels; lit ones are covered wholly. */
     private PixelCoverage covered() {
         return coverage.map(Covered::drawn).orElseGet(() -> PixelCoverage.whole(trace.pixels()));
     }

@@ -94,7 +94,7 @@ record LineFrame(
         return new Point2D.Double(grid.viewX(end.x(segment)), grid.viewY(end.y(segment)));
     }
 
-    /** The ends' letters and coordinates. */
+    /** Writes the ends' letters and coordinates. */
     private void paintLetters(Graphics2D g, Rectangle sight) {
         FontMetrics metrics = g.getFontMetrics();
         List<Rectangle> places = labels(metrics, sight);

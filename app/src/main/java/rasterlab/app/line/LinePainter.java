@@ -61,7 +61,7 @@ final class LinePainter {
         if (step > 0) paintCurrent(drawing, step);
     }
 
-    /** A thin frame around the pixels of the window. */
+    /** Draws a thin frame around the pixels of the window. */
     private void paintWindow(PixelWindow window) {
         double left = grid.viewX(window.xmin() - 0.5);
         double top = grid.viewY(window.ymin() - 0.5);
@@ -112,7 +112,7 @@ final class LinePainter {
         }
     }
 
-    /** The second method's pixels as smaller squares inside the first one's. */
+    /** Draws the second method's pixels as smaller squares inside the first one's. */
     private void paintOther(LineDrawing other, int step) {
         if (other.coverage().isPresent()) {
             paintCoverage(other, step, grid.cell() * 0.28);
@@ -139,7 +139,7 @@ final class LinePainter {
         mark.paint(g, grid.viewX(pixelX) - size / 2, grid.viewY(pixelY) - size / 2, size);
     }
 
-    /** The pixels that only one of the two methods lights, or lights more. */
+    /** Marks the pixels that only one of the two methods lights, or lights more. */
     private void paintApart(PixelDifference apart) {
         for (PixelSet alone : List.of(apart.extra(), apart.missing()))
             for (int i = 0; i < alone.size(); i++) {
@@ -158,7 +158,7 @@ final class LinePainter {
         g.draw(line);
     }
 
-    /** A frame around each pixel that the last step lit. */
+    /** Draws a frame around each pixel that the last step lit. */
     private void paintCurrent(LineDrawing drawing, int step) {
         if (grid.cell() < 6) return;
         g.setColor(colours.ink());

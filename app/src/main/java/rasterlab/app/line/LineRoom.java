@@ -121,7 +121,7 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                 new LabShot<>("brightness", lab -> lab.chooseMode(LineMode.BRIGHTNESS)));
     }
 
-    /** A faulty method where it fails. */
+    /** Shows a faulty method where it fails. */
     private static void showWrongPixels(LineLabModel lab) {
         lab.show(new Segment(17, 9, 2, 3));
         lab.chooseMethod("bresenham-textbook");

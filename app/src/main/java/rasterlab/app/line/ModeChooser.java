@@ -20,7 +20,7 @@ final class ModeChooser {
                         Stream.of(LineMode.values()).map(LineMode::code).toList(),
                         code -> texts.text("mode." + code),
                         code -> {
-                            // The list of this figure's panel goes on saying what the panel shows.
+                            // The list in this figure's panel keeps naming what the panel shows.
                             if (shown == LineMode.SEGMENT) chooser[0].show(shown.code());
                             model.chooseMode(LineMode.coded(code));
                         });

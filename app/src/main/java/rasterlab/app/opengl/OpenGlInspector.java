@@ -110,7 +110,7 @@ final class OpenGlInspector {
         var area = new JTextArea();
         area.setName(name);
         area.setEditable(false);
-        // A new text is not to scroll the inspector.
+        // A new text must not scroll the inspector.
         if (area.getCaret() instanceof DefaultCaret caret)
             caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         area.setOpaque(false);

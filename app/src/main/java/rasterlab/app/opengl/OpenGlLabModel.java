@@ -152,13 +152,13 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         ask();
     }
 
-    /** OpenGL's picture of a frame, from its window. */
+    /** Takes OpenGL's picture of a frame from its window. */
     public void drawn(GlFrame frame, Raster picture, GlReport report) {
         publish(state.choice(), state.pictures(), Optional.of(report), Optional.empty());
         pictures.ask(new Question(frame, Optional.of(picture)));
     }
 
-    /** The size of each picture in device pixels; before the first call nothing is drawn. */
+    /** Sets the size of each picture in device pixels; before the first call nothing is drawn. */
     public void resize(int newWidth, int newHeight) {
         if (newWidth == width && newHeight == height) return;
         Raster.checkSize(newWidth, newHeight);
@@ -220,7 +220,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         change(state.choice().withFile(image), Setting.IMAGE);
     }
 
-    /** The same of an image of an earlier run; there is nothing to undo afterwards. */
+    /** Does the same with an image of an earlier run; there is nothing to undo afterwards. */
     void restore(GlChoice.ImageTexture image, boolean shown) {
         history.forget();
         draw(state.choice().withFile(image, shown), state.touched());
@@ -303,7 +303,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
 
     private void accept(Question question, Answer answer) {
         Optional<GlReport> report = answer.report().or(state::report);
-        // A window may have OpenGL where there is none without one.
+        // OpenGL may work in a window where it does not work without one.
         Optional<String> missing = answer.missing().filter(reason -> windows == 0);
         publish(
                 state.choice(),

@@ -98,7 +98,7 @@ final class PicturePane extends SelfDrawn {
         return Wrapping.lines(sentence, getWidth() - 2 * MARGIN, g.getFontMetrics()::stringWidth);
     }
 
-    /** Blue between two white lines, so that it is seen on any picture. */
+    /** Frames it in blue between two white lines, so that it is seen on any picture. */
     private void focus(Graphics2D g) {
         g.setColor(Color.WHITE);
         g.setStroke(new BasicStroke(4));

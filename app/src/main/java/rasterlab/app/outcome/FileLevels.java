@@ -25,7 +25,7 @@ public final class FileLevels {
     }
 
     /**
-     * One row as 0xAARRGGBB, deeper levels rounded to the nearest of 255.
+     * Reads one row as 0xAARRGGBB, deeper levels rounded to the nearest of 255.
      *
      * @param y from the top
      * @param argb filled from {@code at} on

@@ -22,8 +22,7 @@ public final class PngFile {
 
     public static byte[] bytes(BufferedImage picture) {
         var bytes = new ByteArrayOutputStream();
-        // Left to itself, ImageIO writes by way of a file of its own in the system's folder for
-        // those.
+        // By default ImageIO would write by way of a temporary file of its own.
         try (var out = new MemoryCacheImageOutputStream(bytes)) {
             ImageIO.write(picture, "png", out);
         } catch (IOException e) {

@@ -29,7 +29,7 @@ final class FieldPainter {
         size = field.step() * map.scaleX();
     }
 
-    /** Where the first judge says inside, in that colour; where it refuses, in grey. */
+    /** Paints where the first judge says inside, in that colour; where it refuses, in grey. */
     void paintInside(Color colour) {
         Color light = MethodColours.mix(colours.ground(), colour, SHARE);
         Color grey = MethodColours.mix(colours.ground(), colours.axis(), SHARE);
@@ -49,7 +49,7 @@ final class FieldPainter {
     }
 
     /**
-     * Where the judges differ.
+     * Paints where the judges differ.
      *
      * @param onlyFirst where only the first says inside
      * @param onlySecond where only the second does

@@ -81,7 +81,7 @@ record InsidePicture(
         count(g, judged, colours);
     }
 
-    /** How many of the points in sight are wrong, in a corner without buttons. */
+    /** Writes how many of the points in sight are wrong, in a corner without buttons. */
     private void count(Graphics2D g, ClassificationField field, StageColours colours) {
         String said =
                 texts.text(
@@ -146,7 +146,7 @@ record InsidePicture(
         else paintSide(strokes, colours);
     }
 
-    /** A ring round the point that the step is about, with what is said of it. */
+    /** Draws a ring round the point that the step is about, with what is said of it. */
     private void paintAnswer(
             Graphics2D g, PlaneMap map, FigureLines strokes, StageColours colours) {
         PolygonPoint point = figure.points().get(step - 1);

@@ -157,7 +157,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         if (!grip.equals(state.selected())) publish(selecting(grip));
     }
 
-    /** A corner more behind the selected one, or a wall at the pen. */
+    /** Adds a corner behind the selected one, or a wall at the pen. */
     public void grow() {
         edit(figure().grown(state.selected()));
     }
@@ -167,7 +167,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         edit(figure().without(state.selected()));
     }
 
-    /** A corner more there, the point there, or a wall put up or taken away there. */
+    /** Adds a corner there, moves the point there, or puts up or takes away a wall there. */
     public void click(double planeX, double planeY) {
         edit(figure().clicked(new PolygonPoint(planeX, planeY)));
     }

@@ -73,7 +73,7 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
                 new LabShot<>("seed", lab -> lab.chooseMode(PolygonMode.SEED)));
     }
 
-    /** The plane as it looks to a method in 32 bits, far from the origin. */
+    /** Shows the plane as it looks to a method in 32 bits, far from the origin. */
     private static void showOverflow(PolygonLabModel lab) {
         lab.show(PolygonMode.TRIANGLE, "past-2-15");
         lab.chooseMethod("sign-int");

@@ -79,7 +79,7 @@ final class WaitingChart extends SelfDrawn {
         double bottom = top + height;
         var curve = new Path2D.Double();
         curve.moveTo(1, bottom);
-        // Of the many steps that one column stands for, the one with the most that wait.
+        // A column that stands for many steps shows the one with the most waiting places.
         int wide = getWidth() - 2;
         for (int column = 0; column < wide; column++) {
             int from = (int) ((long) column * runs.size() / wide);

@@ -36,7 +36,7 @@ final class PlaneSketches {
         return new Board(Space.PLANE, figures, new Named("cut", targets));
     }
 
-    /** The side that each ear leaves; of the last triangle all sides are there already. */
+    /** Adds the side that each ear leaves; of the last triangle all sides are there already. */
     private static void addDiagonals(List<Figure> figures, List<Point2D> corners, Walked walked) {
         var left = new ArrayList<Integer>();
         for (int i = 0; i < corners.size(); i++) left.add(i);

@@ -122,7 +122,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         KeyBinding.within(this, KeyStroke.getKeyStroke("ENTER"), this::submit);
         for (int digit = 0; digit <= 9; digit++) {
             int pressed = digit;
-            // As a character, not as a key: a text field uses those for itself.
+            // Bound as a character, not as a key: a text field uses the keys itself.
             KeyStroke key = KeyStroke.getKeyStroke("typed " + digit);
             KeyBinding.within(this, key, () -> form.digit(pressed));
             // Nobody writes into this text, which would hear the key first.
@@ -301,7 +301,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
                 .orElse("");
     }
 
-    /** The picture beside the column; where there is none, the words take its place. */
+    /** Places the picture beside the column; where there is none, the words take its place. */
     private void place(boolean drawn) {
         JComponent wanted = drawn ? stage : walkScroll;
         if (place.getComponentCount() > 0 && place.getComponent(0) == wanted) return;

@@ -31,7 +31,7 @@ final class VerdictPane extends JPanel {
         add(why, "wmin 0");
     }
 
-    /** The verdict on an answer, with the method's own reason. */
+    /** Shows the verdict on an answer, with the method's own reason. */
     void show(Answered last, String topic) {
         Color own = last.right() ? MethodColours.GREEN : MethodColours.VERMILLION;
         verdict.setForeground(MethodColours.textOn(getBackground(), own));
@@ -62,7 +62,7 @@ final class VerdictPane extends JPanel {
 
     private void say(String words) {
         why.show(words);
-        // Read aloud as one: a change of the name is what screen readers are told.
+        // Screen readers are told of a changed name, so the name holds the whole verdict.
         why.getAccessibleContext().setAccessibleName(verdict.getText() + " " + words);
     }
 }

@@ -41,7 +41,7 @@ final class PrecisionNotes extends Annotation {
         graphics.fillRect(x, highest, getXAxisScreenValueForMax() - x, whole - highest);
         graphics.setFont(FONT);
         graphics.setColor(paper.note());
-        // Above the lines, which level off in the band's lower half.
+        // The note stands above the lines, which level off in the band's lower half.
         int ascent = graphics.getFontMetrics().getAscent();
         graphics.drawString(texts.text("whole"), x + MARGIN, highest + ascent + 2);
         int right = getXAxisScreenValueForMax() - MARGIN;

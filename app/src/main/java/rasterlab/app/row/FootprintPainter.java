@@ -53,12 +53,12 @@ final class FootprintPainter {
         return texels;
     }
 
-    /** The picture once, the footprint brought into it where the picture repeats. */
+    /** Draws the picture once, the footprint brought into it where the picture repeats. */
     void whole(int left, int top, int size) {
         paint(left, top, size, new double[] {0, 0}, 1);
     }
 
-    /** The footprint, and of the repeated picture what lies around it. */
+    /** Draws the footprint, and of the repeated picture what lies around it. */
     void enlarged(int left, int top, int size) {
         double wide = Math.abs(footprint[2]) + Math.abs(footprint[4]);
         double high = Math.abs(footprint[3]) + Math.abs(footprint[5]);

@@ -87,7 +87,7 @@ final class RowPainter {
         return texts.text("band." + band.key(), OwnWords.called(choice.method(), texts.language()));
     }
 
-    /** All that a very low stage has room for, in the same order. */
+    /** Draws all that a very low stage has room for, in the same order. */
     private void bandsAlone() {
         int step = plan.height() / scene.bands().size();
         int high = Math.max(1, step - 4);
@@ -153,7 +153,7 @@ final class RowPainter {
         }
     }
 
-    /** A frame round the chosen pixel, at least as wide as can be seen. */
+    /** Draws a frame round the chosen pixel, at least as wide as can be seen. */
     private void chosen(int y, int high) {
         double from = x(choice.pixel());
         double width = Math.max(3, wide / scene.pixels());
@@ -181,7 +181,7 @@ final class RowPainter {
         }
     }
 
-    /** Why the method has no band. */
+    /** Writes why the method has no band. */
     private void failure(int y) {
         say(failureWords(), y);
     }
@@ -232,7 +232,7 @@ final class RowPainter {
         g.drawLine(MARGIN, y + high, MARGIN + (int) wide, y + high);
     }
 
-    /** The picture, and below it the chosen pixel's footprint, as large as both fit. */
+    /** Draws the picture, and below it the chosen pixel's footprint, as large as both fit. */
     private void pictures(RowScene.Image image) {
         String whole = texts.text("picture", image.width(), image.height());
         String enlarged = texts.text("footprint");

@@ -36,7 +36,7 @@ final class DropForwarder extends ContainerAdapter {
     private void open(Component part) {
         if (part instanceof JComponent shown && takesNothing(shown))
             shown.setDropTarget(new DropTarget(shown, DnDConstants.ACTION_NONE, null, false));
-        // What draws cells is added again for each of them.
+        // The pane that draws cells is added again for each of them.
         if (part instanceof CellRendererPane || !(part instanceof Container container)) return;
         if (!List.of(container.getContainerListeners()).contains(this))
             container.addContainerListener(this);

@@ -205,7 +205,7 @@ public final class LabFrame extends JFrame {
         String seen = content.seen();
         String chosen = content.shown();
         List<LabTabs.Doing> doing = tabs.doing();
-        // What is thrown away need not learn the new look first.
+        // Removed components need not learn the new look first.
         place.removeAll();
         tabs.close();
         if (look.theme() != before.theme() || look.textPercent() != before.textPercent()) {
@@ -301,7 +301,7 @@ public final class LabFrame extends JFrame {
         forgetComing();
         tabs.close();
         models.close();
-        // Else a later theme gives the closed window's controls their keys again, which keeps it.
+        // Otherwise a later theme would bind the closed window's keys again and keep it in memory.
         place.removeAll();
     }
 

@@ -99,7 +99,7 @@ final class WindowLookControls extends JPanel {
             menu.add(item);
         }
         menu.addSeparator();
-        // Shown as the signs that are on the keys; bindSize has the keys themselves.
+        // The menu shows the signs on the keys; bindSize binds the keys themselves.
         menu.add(size("larger", "ctrl typed +", look::larger));
         menu.add(size("smaller", "ctrl typed −", look::smaller));
         menu.add(size("usual", "ctrl 0", look::usualSize));

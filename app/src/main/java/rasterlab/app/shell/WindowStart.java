@@ -61,7 +61,7 @@ public final class WindowStart {
     }
 
     /**
-     * The same with a case, shown in the lab of its topic once all labs are there.
+     * Opens the same with a case, shown in the lab of its topic once all labs are there.
      *
      * @param first what the window opens with; empty for what it was left with
      */
@@ -86,7 +86,7 @@ public final class WindowStart {
         settings.look().theme().install(settings.look().textPercent());
         keep(kept, file, place, problems);
         SwingClasses.load(settings.look().language().locale());
-        // What fails here fails again, and is told, where the panel is made.
+        // A failure here happens again, and is reported, where the panel is made.
         made.exceptionally(again -> null).join();
         inTurn(
                 List.of(

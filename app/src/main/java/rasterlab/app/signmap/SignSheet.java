@@ -56,7 +56,7 @@ public final class SignSheet {
         return (maps.size() + COLUMNS - 1) / COLUMNS;
     }
 
-    /** Each map with the words below it. */
+    /** Height of a map with the words below it, in dots. */
     private int tile() {
         return side() + 3 * LINE + 14;
     }

@@ -109,12 +109,12 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
         change(state.choice().moved(handle, new Place(x, y)), false);
     }
 
-    /** One point or piece more, where the form has room for it. */
+    /** Adds a point or a piece, where the form has room for it. */
     public void add(double x, double y) {
         change(state.choice().added(new Place(x, y)), false);
     }
 
-    /** A point, or a piece with it, less; where the form can do without it. */
+    /** Removes a point, or a piece with it, where the form can do without it. */
     public void remove(int handle) {
         change(state.choice().removed(handle), false);
     }

@@ -137,7 +137,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         g.draw(edge);
     }
 
-    /** Pale as a whole, in full colour as far as the steps have come. */
+    /** Paints it pale as a whole, in full colour as far as the steps have come. */
     private void paintPolyline(
             Graphics2D g, PlaneMap map, StageColours colours, CurveDrawing drawing) {
         List<CurveDrawing.Corner> corners = drawing.points();
@@ -187,7 +187,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         return path;
     }
 
-    /** De Casteljau's triangle, each row darker than the one above. */
+    /** Paints De Casteljau's triangle, each row darker than the one above. */
     private void paintConstruction(Graphics2D g, PlaneMap map, StageColours colours) {
         Color colour = MethodColours.edgeOn(colours.ground(), MethodColours.GREEN);
         List<PointStep> rows = at.construction();

@@ -93,7 +93,7 @@ record FunctionPicture(
                 1f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1f, new float[] {2f, 5f}, 0f);
     }
 
-    /** A band behind the knot or the piece that the last step dealt with. */
+    /** Paints a band behind the knot or the piece that the last step dealt with. */
     private void paintStep(Graphics2D g, PlaneMap map, StageColours colours) {
         List<Place> knots = drawings.choice().knots();
         if (taken.isEmpty()) return;
@@ -129,7 +129,7 @@ record FunctionPicture(
         return path;
     }
 
-    /** The area between the graph and the knot's value that it passes. */
+    /** Paints the area between the graph and the knot's value that it passes. */
     private static void paintOvershoots(Graphics2D g, PlaneMap map, FunctionDrawing drawing) {
         Color wrong = MethodColours.VERMILLION;
         g.setColor(new Color(wrong.getRed(), wrong.getGreen(), wrong.getBlue(), 120));
@@ -150,7 +150,7 @@ record FunctionPicture(
         }
     }
 
-    /** A pointer at the farthest place outside, with how far that is. */
+    /** Draws a pointer at the farthest place outside, with how far that is. */
     private void nameOvershoots(
             Graphics2D g, PlaneMap map, StageColours colours, FunctionDrawing drawing) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
@@ -225,7 +225,9 @@ record FunctionPicture(
                             map.viewY(slopes.get(i + 1).y())));
     }
 
-    /** A cross at each wrong answer; at the newest answer a dot, and a ring where it belongs. */
+    /**
+     * Paints a cross at each wrong answer; at the newest answer a dot, and a ring where it belongs.
+     */
     private void paintAnswers(Graphics2D g, PlaneMap map, StageColours colours) {
         for (FunctionDrawing.Answer each : answers)
             if (each.wrong()) mark(g, map, PixelMark.EXTRA, each.x(), each.value());
@@ -246,7 +248,7 @@ record FunctionPicture(
         mark.paint(g, map.viewX(x) - MARK / 2, map.viewY(y) - MARK / 2, MARK);
     }
 
-    /** The point at which the function is read, and its tangent. */
+    /** Paints the point at which the function is read, and its tangent. */
     private static void paintReading(
             Graphics2D g, PlaneMap map, StageColours colours, FunctionAt place) {
         double x = map.viewX(place.x());

@@ -125,7 +125,7 @@ final class StudyInspector {
         paragraph.setName(name);
         paragraph.getAccessibleContext().setAccessibleName(texts.text(name));
         paragraph.setEditable(false);
-        // A new text is not to scroll the inspector.
+        // A new text must not scroll the inspector.
         if (paragraph.getCaret() instanceof DefaultCaret caret)
             caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         paragraph.setOpaque(false);
@@ -160,7 +160,7 @@ final class StudyInspector {
         explain(state);
     }
 
-    /** The workloads that were measured, in the study's order. */
+    /** Shows the workloads that were measured, in the study's order. */
     private void showLevels(StudyLabState state) {
         Optional<String> shown =
                 state.shownLevel().filter(level -> state.view() == StudyView.CHART);

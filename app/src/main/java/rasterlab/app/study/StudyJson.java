@@ -64,7 +64,7 @@ final class StudyJson {
         json.writeEndObject();
     }
 
-    /** The fitted power of the size for each method: factor · size ^ (exponent ± margin). */
+    /** Writes the fitted power of the size for each method: factor · size ^ (exponent ± margin). */
     private void writeGrowth(Study study, SizesChart.Of of) throws IOException {
         var words = new StudyWords(Language.ENGLISH);
         var fits = new SizesChart(study, of, words, ChartLook.PAPER).fits();
@@ -116,7 +116,7 @@ final class StudyJson {
         json.writeEndArray();
     }
 
-    /** Each pair once, the quicker median first. */
+    /** Writes each pair once, the quicker median first. */
     private void write(Ranking ranking) throws IOException {
         for (int slow = 1; slow < ranking.places().size(); slow++)
             for (int fast = 0; fast < slow; fast++) {

@@ -195,7 +195,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         return cells.stream().filter(one -> !one.method().equals(OwnMethods.NAME)).toList();
     }
 
-    /** Whether the next measurement takes its time. */
+    /** Says whether the next measurement takes its time. */
     public void takeTime(boolean thorough) {
         publish(state.withThorough(thorough));
     }

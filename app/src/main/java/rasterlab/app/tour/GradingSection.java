@@ -137,7 +137,7 @@ final class GradingSection implements TourPart {
         showFirstPicture(page, path -> client.get(path, student), graded);
     }
 
-    /** The first case that has pictures: the difference as text, and all of them. */
+    /** Shows the first case that has pictures: the difference as text, and all of them. */
     static void showFirstPicture(TourPage page, PngSource pngs, Graded graded)
             throws IOException, InterruptedException {
         for (JsonNode judged : graded.result.path("cases")) {

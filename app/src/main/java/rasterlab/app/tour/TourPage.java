@@ -52,7 +52,7 @@ final class TourPage {
         body.append("<p>").append(Html.escaped(text)).append("</p>\n");
     }
 
-    /** Text as it stands, in fixed-width letters. */
+    /** Writes text as it stands, in fixed-width letters. */
     void preformatted(String text) {
         body.append("<pre>").append(Html.escaped(text)).append("</pre>\n");
     }
@@ -67,13 +67,13 @@ final class TourPage {
                 .append("</p>\n");
     }
 
-    /** A table of words and numbers; cells that are numbers stand to the right. */
+    /** Writes a table of words and numbers; cells that are numbers stand to the right. */
     void table(List<String> heads, List<List<String>> rows) {
         body.append(Html.table(heads, rows));
     }
 
     /**
-     * The same.
+     * Writes the same.
      *
      * @param heads with {@code |} between them, as they stand in the texts
      */
@@ -81,7 +81,7 @@ final class TourPage {
         table(List.of(heads.split("\\|")), rows);
     }
 
-    /** Large pictures, at most two side by side, each with its caption. */
+    /** Shows large pictures, at most two side by side, each with its caption. */
     void gallery(List<Figure> figures) {
         append("gallery", figures);
     }
@@ -91,7 +91,7 @@ final class TourPage {
         append("small gallery", figures);
     }
 
-    /** One picture in its own size. */
+    /** Shows one picture in its own size. */
     void large(Figure figure) {
         append("large gallery", List.of(figure));
     }

@@ -106,7 +106,7 @@ final class GrowthTable {
                 .toList();
     }
 
-    /** The method's line with its mark. */
+    /** Draws the method's line with its mark. */
     private void swatch(Graphics2D graphics, String method, int y) {
         MethodLook look = chart.look(method).on(paper);
         var line = (Graphics2D) graphics.create();

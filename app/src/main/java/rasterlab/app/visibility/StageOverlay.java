@@ -46,7 +46,7 @@ final class StageOverlay {
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     }
 
-    /** The name of the method, on a plate of its colour. */
+    /** Writes the name of the method, on a plate of its colour. */
     void name(String method, Language language) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         Color colour = VisibilityColours.OWN.of(method);
@@ -55,7 +55,7 @@ final class StageOverlay {
         Plates.plate(g, called, 12, y, colour, MethodColours.inkOn(colour));
     }
 
-    /** All cuts up to a step, and the face or the pixels that it was about. */
+    /** Draws all cuts up to a step, and the face or the pixels that it was about. */
     void step(Drawn drawn, int done) {
         if (done == 0 || drawn.steps().isEmpty()) return;
         List<VisibilityStep> steps = drawn.steps().subList(0, Math.min(done, drawn.steps().size()));
@@ -125,7 +125,7 @@ final class StageOverlay {
         g.draw(box);
     }
 
-    /** Four ticks around a pixel, which itself stays in sight. */
+    /** Draws four ticks around a pixel, which itself stays in sight. */
     void pixel(int x, int y) {
         double middleX = (x + 0.5) / scale;
         double middleY = (y + 0.5) / scale;
@@ -143,7 +143,7 @@ final class StageOverlay {
         }
     }
 
-    /** A sentence over the picture's lower part. */
+    /** Writes a sentence over the picture's lower part. */
     void sentence(List<String> lines, int x, int bottom) {
         sentenceBelow(lines, x, bottom - lineHeight() * lines.size());
     }

@@ -46,7 +46,7 @@ final class VisibilityColours {
                             Map.entry("plain", VIOLET),
                             Map.entry("pipeline", SLATE),
                             Map.entry("auto", SAND),
-                            // Never beside "auto", which no picture of the lab names.
+                            // It never appears beside "auto", which no picture of the lab names.
                             Map.entry(OwnMethods.NAME, SAND)));
 
     private VisibilityColours() {}

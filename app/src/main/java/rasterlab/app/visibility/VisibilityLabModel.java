@@ -116,8 +116,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     /**
-     * The size of the stage, in device pixels, from 1 to {@link Raster#LARGEST_SIDE}; before the
-     * first call nothing is drawn.
+     * Sets the size of the stage, in device pixels, from 1 to {@link Raster#LARGEST_SIDE}; before
+     * the first call nothing is drawn.
      */
     public void resize(int newWidth, int newHeight) {
         StagePictures sized = stage.sized(newWidth, newHeight);
@@ -168,7 +168,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         change(change, true);
     }
 
-    /** The same of the eye alone: wrong pixels that are not marked are not counted. */
+    /** Moves the eye alone: wrong pixels that are not marked are not counted. */
     private void move(UnaryOperator<VisibilityChoice> change) {
         change(change, false);
     }
@@ -193,7 +193,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         choose(choice -> choice.comparing(scene, method, comparison).withDifference(true));
     }
 
-    /** The same in the scene's own colours, unmarked. */
+    /** Compares in the scene's own colours, unmarked. */
     public void compareColours(String scene, String method, String comparison) {
         choose(choice -> choice.comparing(scene, method, comparison).inOwnColours());
     }

@@ -335,7 +335,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         revalidate();
     }
 
-    /** Blue between two white lines, so that it is seen on any picture. */
+    /** Paints blue between two white lines, so that it is seen on any picture. */
     private void paintFocus(Graphics2D g) {
         if (showsFocus()) {
             g.setColor(Color.WHITE);

@@ -22,8 +22,8 @@ import rasterlab.engine.raster.Work;
  * long never overflows.
  *
  * <p>Sources: M. L. V. Pitteway, Algorithm for drawing ellipses or hyperbolae with a digital
- * plotter, Computer Journal 10(3), 1967; J. R. Van Aken, An efficient ellipse-drawing algorithm,
- * IEEE Computer Graphics and Applications 4(9), 1984.
+ * plotter, Computer Journal 10(3), 1967, pp. 282–289; J. R. Van Aken, An efficient ellipse-drawing
+ * algorithm, IEEE Computer Graphics and Applications 4(9), 1984, pp. 24–35.
  */
 public final class MidpointEllipse implements SteppedEllipse {
     /** The largest half-axis, in pixels. */

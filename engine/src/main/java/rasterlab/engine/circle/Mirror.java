@@ -29,7 +29,7 @@ record Mirror(int centreX, int centreY, Pixels out) {
                             + " must lie in -2147483648..2147483647");
     }
 
-    /** The pixel and its images across both axes: four, two on an axis, one in the centre. */
+    /** Plots the pixel and its images across both axes: four, two on an axis, one in the centre. */
     void four(int u, int v) {
         out.plot(centreX + u, centreY + v);
         if (u != 0) out.plot(centreX - u, centreY + v);
@@ -38,7 +38,7 @@ record Mirror(int centreX, int centreY, Pixels out) {
         if (u != 0) out.plot(centreX - u, centreY - v);
     }
 
-    /** The same, and all of it across the diagonals: eight, four on an axis or a diagonal. */
+    /** Plots the same, and all of it across the diagonals: eight, four on an axis or a diagonal. */
     void eight(int u, int v) {
         four(u, v);
         if (u != v) four(v, u);

@@ -18,7 +18,7 @@ public final class EndSum implements SegmentSink, SpaceSegmentSink {
     }
 
     public void requireComputed() {
-        // Never true of workloads, but only they know: the ends have to be computed.
+        // Never true for a workload, but the compiler cannot know: it must compute the ends.
         if (sum == Double.POSITIVE_INFINITY) throw new AssertionError("sum of ends overflowed");
     }
 }

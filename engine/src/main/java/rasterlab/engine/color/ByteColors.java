@@ -7,8 +7,8 @@ import rasterlab.contract.ColorModel;
  * Every number in a byte, as pictures and many libraries keep them: shares in 255ths, hues in
  * 256ths of a turn.
  *
- * <p>Source: A. R. Smith, Color gamut transform pairs, SIGGRAPH 1978; A. V. Kazantsev, Foundations
- * of computer graphics for programmers, Kazan, 2005, ch. 7, the RGB cube.
+ * <p>Source: A. R. Smith, Color gamut transform pairs, SIGGRAPH 1978, pp. 12–19; A. V. Kazantsev,
+ * Foundations of computer graphics for programmers, Kazan, 2005, ch. 7, the RGB cube.
  */
 final class ByteColors implements ColorConverter {
     private final ColorConverter formula = new FormulaColors();

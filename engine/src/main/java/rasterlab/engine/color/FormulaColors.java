@@ -6,8 +6,8 @@ import rasterlab.contract.ColorModel;
 /**
  * Every model by way of red, green and blue.
  *
- * <p>Source: A. R. Smith, Color gamut transform pairs, SIGGRAPH 1978; A. V. Kazantsev, Foundations
- * of computer graphics for programmers, Kazan, 2005, ch. 7, the RGB cube.
+ * <p>Source: A. R. Smith, Color gamut transform pairs, SIGGRAPH 1978, pp. 12–19; A. V. Kazantsev,
+ * Foundations of computer graphics for programmers, Kazan, 2005, ch. 7, the RGB cube.
  */
 public final class FormulaColors implements ColorConverter {
     /** Shares made of a darker value or a paler distance from grey would keep too few digits. */

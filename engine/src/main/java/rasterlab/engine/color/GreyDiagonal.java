@@ -31,7 +31,7 @@ final class GreyDiagonal {
         double redBlue = rgb[0] - rgb[2];
         double value = (rgb[0] + rgb[1] + rgb[2]) / SQRT_3;
         if (redGreen == 0 && greenBlue == 0) return new double[] {Double.NaN, value, 0};
-        // The largest difference taken out, or tiny ones have squares that are no doubles.
+        // The largest difference is divided out: squares of tiny ones would underflow to 0.
         double largest =
                 Math.max(Math.abs(redGreen), Math.max(Math.abs(greenBlue), Math.abs(redBlue)));
         double a = redGreen / largest;

@@ -12,7 +12,7 @@ import rasterlab.contract.PixelGrid;
  * of the region touches another one, so all are found; each pixel is written once and read a few
  * times, and at most three pieces are put on the stack for each run.
  *
- * <p>Source: after A. R. Smith, Tint fill, SIGGRAPH 1979.
+ * <p>Source: after A. R. Smith, Tint fill, SIGGRAPH 1979, pp. 276–283.
  */
 public final class SpanFill implements SteppedFill {
     @Override

@@ -9,7 +9,7 @@ import rasterlab.contract.PixelGrid;
  * off, its neighbours of the old colour follow. Up to 4 (or 8) reads for each pixel, and in the
  * worst case most of the region waits on the stack.
  *
- * <p>Source: A. R. Smith, Tint fill, SIGGRAPH 1979.
+ * <p>Source: A. R. Smith, Tint fill, SIGGRAPH 1979, pp. 276–283.
  */
 public final class StackFill implements SteppedFill {
     @Override

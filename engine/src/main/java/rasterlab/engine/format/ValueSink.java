@@ -15,10 +15,10 @@ public interface ValueSink {
 
     void endArray() throws IOException;
 
-    /** The name of the field whose value comes next. */
+    /** Writes the name of the field whose value comes next. */
     void name(String field) throws IOException;
 
-    /** A number that reads back exactly; null where there is none, as for infinity. */
+    /** Writes a number that reads back exactly; null where there is none, as for infinity. */
     void number(double value) throws IOException;
 
     void whole(long value) throws IOException;
@@ -50,7 +50,7 @@ public interface ValueSink {
     }
 
     /**
-     * A sentence for people, whose numbers are written as those of all messages are.
+     * Writes a sentence for people, whose numbers are written as those of all messages are.
      *
      * @param english as the engine says it
      */
@@ -58,7 +58,7 @@ public interface ValueSink {
         text(name, english);
     }
 
-    /** An array of numbers. */
+    /** Writes an array of numbers. */
     default void numbers(double... values) throws IOException {
         startArray();
         for (double value : values) number(value);
@@ -70,7 +70,7 @@ public interface ValueSink {
         numbers(values);
     }
 
-    /** An array of whole numbers. */
+    /** Writes an array of whole numbers. */
     default void wholes(int... values) throws IOException {
         startArray();
         for (int value : values) whole(value);
@@ -83,7 +83,7 @@ public interface ValueSink {
     }
 
     /**
-     * An array of points, each an array of its coordinates.
+     * Writes an array of points, each an array of its coordinates.
      *
      * @param coordinates point after point
      */

@@ -7,7 +7,8 @@ package rasterlab.engine.geometry;
  * So the last part has the sign of the whole.
  *
  * <p>Source: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
- * predicates, Discrete & Computational Geometry 18, 1997, grow-expansion with zero elimination.
+ * predicates, Discrete & Computational Geometry 18, 1997, pp. 305–363, grow-expansion with zero
+ * elimination.
  */
 public final class Expansion {
     private final double[] parts;

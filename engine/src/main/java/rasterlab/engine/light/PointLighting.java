@@ -68,7 +68,7 @@ public final class PointLighting {
     }
 
     /**
-     * The colour of a point by its material.
+     * Computes the colour of a point by its material.
      *
      * @param nx x of the normal out of the front, of any length; without a normal, (0, 0, 0), the
      *     point has ambient light and emission only
@@ -92,7 +92,9 @@ public final class PointLighting {
         rgba[at + 3] = (float) material.alpha();
     }
 
-    /** The colour of a point by its material, as {@link #shade} finds it, as 0xAARRGGBB. */
+    /**
+     * Computes the colour of a point by its material, as {@link #shade} finds it, as 0xAARRGGBB.
+     */
     public int argb(
             double x, double y, double z, double nx, double ny, double nz, boolean seenFromBehind) {
         Material material = gather(x, y, z, nx, ny, nz, seenFromBehind);
@@ -109,8 +111,8 @@ public final class PointLighting {
     }
 
     /**
-     * The colour of a point whose material's emission, ambient and diffuse shares are multiplied by
-     * a tint; highlights and alpha are not.
+     * Computes the colour of a point whose material's emission, ambient and diffuse shares are
+     * multiplied by a tint; highlights and alpha are not.
      *
      * @param rgba holds the tint's three shares, receives the colour
      */
@@ -135,8 +137,8 @@ public final class PointLighting {
     }
 
     /**
-     * The colour of a point whose ambient and diffuse shares and alpha are its own, such as a
-     * vertex's colour; emission, specular shares and shininess are the material's.
+     * Computes the colour of a point whose ambient and diffuse shares and alpha are its own, such
+     * as a vertex's colour; emission, specular shares and shininess are the material's.
      *
      * @param rgba holds the four shares of its own, receives the colour
      */

@@ -7,8 +7,8 @@ import rasterlab.contract.Reflection;
  * to the light, v to the eye.
  *
  * <p>Sources: B. T. Phong, Illumination for computer generated pictures, Communications of the ACM
- * 18(6), 1975 (r·v); J. F. Blinn, Models of light reflection for computer synthesized pictures,
- * SIGGRAPH 1977 (n·h).
+ * 18(6), 1975, pp. 311–317 (r·v); J. F. Blinn, Models of light reflection for computer synthesized
+ * pictures, SIGGRAPH 1977, pp. 192–198 (n·h).
  */
 public final class SpecularCosine {
     /** The length of l + v below which the eye is taken to look straight at the light's back. */

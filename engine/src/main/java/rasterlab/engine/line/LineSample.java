@@ -57,7 +57,7 @@ final class LineSample implements Pixels {
         try {
             line.accept(this);
         } catch (Enough e) {
-            // The method was on its way, and what is compared it has drawn.
+            // The sample is full: the method has drawn all that is compared.
         }
         return recording;
     }

@@ -16,7 +16,7 @@ import rasterlab.engine.scene.shape.SurfacePoint;
  * places of a texture are drawn aside. Normals are compared in the same places.
  *
  * <p>Source: D. Filip, R. Magedson, R. Markot, Surface algorithms using bounds on derivatives,
- * Computer Aided Geometric Design 3(4), 1986.
+ * Computer Aided Geometric Design 3(4), 1986, pp. 295–311.
  *
  * @param u steps once round
  * @param v steps across

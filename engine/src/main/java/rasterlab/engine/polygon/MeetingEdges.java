@@ -91,7 +91,7 @@ public final class MeetingEdges {
         int n = x.length;
         Integer[] order = new Integer[n];
         Arrays.setAll(order, i -> i);
-        // Not by comparingDouble, to which −0 is less than 0.
+        // comparingDouble would not do: for it −0 is less than 0.
         Arrays.sort(order, (i, j) -> before(i, j) ? -1 : before(j, i) ? 1 : 0);
         for (int i = 1; i < n; i++)
             if (!before(order[i - 1], order[i])) return Optional.of(pair(order[i - 1], order[i]));

@@ -50,7 +50,7 @@ public final class MembershipComparison {
         for (int i = 0; i < corners.size(); i++)
             largest = Math.max(largest, Math.max(Math.abs(corners.x(i)), Math.abs(corners.y(i))));
         if (largest == 0) return 1;
-        // Brought near 1, so that neither a difference nor a square overflows.
+        // The scale brings all numbers near 1, so that neither a difference nor a square overflows.
         int exponent = Math.getExponent(largest);
         double x = near1(px, exponent);
         double y = near1(py, exponent);

@@ -7,7 +7,8 @@ package rasterlab.engine.sight;
  * stands for {@code Δz = z²·(1/near − 1/far)/2ⁿ}. Two depths have different codes where they are
  * more than one step apart.
  *
- * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, 2006.
+ * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, 2006,
+ * pp. 27–30.
  */
 public final class DepthBits {
     private DepthBits() {}

@@ -83,7 +83,7 @@ public record Pen(double width, boolean round, double... dashes) {
         }
     }
 
-    /** The part of the line after point {@code i} from one share of its length to another. */
+    /** Draws the part of the line after point {@code i} from one share of its length to another. */
     private void piece(
             double[] x,
             double[] y,

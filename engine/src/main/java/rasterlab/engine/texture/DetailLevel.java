@@ -25,7 +25,7 @@ public final class DetailLevel {
         return Math.max(ux * ux + vx * vx, uy * uy + vy * vy);
     }
 
-    /** ρ² of many pixels, in place of their ∂s/∂x. */
+    /** Computes ρ² of many pixels, in place of their ∂s/∂x. */
     public static void squareSteps(
             int count,
             float[] dsdx,

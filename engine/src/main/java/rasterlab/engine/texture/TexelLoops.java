@@ -157,13 +157,13 @@ final class TexelLoops {
         for (int i = 0; i < n; i++) a[i] = mixed(a[i] & LEVELS, b[i] & LEVELS, share[i]);
     }
 
-    /** Alpha and green of two colours. */
+    /** Mixes alpha and green of two colours. */
     private static void mixOdd(int n, int[] a, int[] b, int[] share, int[] out) {
         for (int i = 0; i < n; i++)
             out[i] = mixed(a[i] >>> 8 & LEVELS, b[i] >>> 8 & LEVELS, share[i]);
     }
 
-    /** Two channels that stand 16 bits apart, into the first. */
+    /** Mixes two channels that stand 16 bits apart, into the first. */
     private static void mixTwo(int n, int[] a, int[] b, int[] share) {
         for (int i = 0; i < n; i++) a[i] = mixed(a[i], b[i], share[i]);
     }

@@ -65,7 +65,7 @@ public record TextureEnvironment(Mode mode, int components, int argb) {
     }
 
     /**
-     * The same for many pixels, in place.
+     * Does the same for many pixels, in place.
      *
      * @param count how many of them
      */

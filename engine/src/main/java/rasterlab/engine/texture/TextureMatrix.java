@@ -44,8 +44,8 @@ public final class TextureMatrix {
     }
 
     /**
-     * How fast the new coordinates grow where the old ones, not yet replaced, grow so fast: {@code
-     * s' = n/d} gives {@code ds' = (dn − s'·dd)/d}. The slopes are replaced.
+     * Computes how fast the new coordinates grow where the old ones, not yet replaced, grow so
+     * fast: {@code s' = n/d} gives {@code ds' = (dn − s'·dd)/d}. The slopes are replaced.
      */
     public void transformSlopes(
             int count, float[] ofS, float[] ofT, float[] slopeS, float[] slopeT) {

@@ -5,7 +5,7 @@ public final class Coordinates {
     /** The largest magnitude of a coordinate in double: sums and turns of such never overflow. */
     public static final double LARGEST = 0x1p1000;
 
-    /** The same for methods that compute in float. */
+    /** Checks the same for methods that compute in float. */
     public static final double LARGEST_FLOAT = 0x1p120;
 
     private static final double SMALLEST_FLOAT = 0x1p-100;
@@ -31,8 +31,8 @@ public final class Coordinates {
     }
 
     /**
-     * The same for methods that compute in float: a coordinate may also not be so small that a
-     * float is 0 or has lost digits.
+     * Checks the same for methods that compute in float: a coordinate may also not be so small that
+     * a float is 0 or has lost digits.
      */
     public static void requireFloat(double[] points, int dimension) {
         require(points, dimension, LARGEST_FLOAT);
@@ -47,7 +47,7 @@ public final class Coordinates {
                                         points[i]));
     }
 
-    /** The same for one vector of three numbers. */
+    /** Checks the same for one vector of three numbers. */
     public static void requireVector(String name, double[] vector, double largest) {
         if (vector.length != 3)
             throw new IllegalArgumentException(name + " must have 3 numbers, got " + vector.length);

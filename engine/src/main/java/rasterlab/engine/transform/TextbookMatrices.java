@@ -83,7 +83,7 @@ public final class TextbookMatrices {
                         xy - z, c + yy, yz + x, 0, //
                         zx + y, yz - x, c + zz, 0, //
                         0, 0, 0, 1);
-        // Made smaller where a sum would leave the doubles, though the difference does not.
+        // The vectors are scaled down where a sum would overflow, though the difference does not.
         double part = largest(a) > LARGEST_PRODUCT ? 0x1p-4 : 1;
         Vector3d at = new Vector3d(a).mul(part);
         Vector3d moved = turn.transformPosition(new Vector3d(at)).negate().add(at);

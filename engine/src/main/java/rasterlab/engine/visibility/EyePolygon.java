@@ -33,7 +33,7 @@ final class EyePolygon {
     }
 
     /**
-     * The part of this polygon with {@code side·z ≥ side·plane}.
+     * Finds the part of this polygon with {@code side·z ≥ side·plane}.
      *
      * @param side 1 keeps what is farther than the plane, −1 what is nearer
      * @param kept receives it
@@ -49,7 +49,7 @@ final class EyePolygon {
     }
 
     /**
-     * The part of this polygon on the positive side of a plane through the eye, n·p ≥ 0.
+     * Finds the part of this polygon on the positive side of a plane through the eye, n·p ≥ 0.
      *
      * @param normal x, y, z of n
      * @param kept receives it
@@ -61,7 +61,7 @@ final class EyePolygon {
     }
 
     /**
-     * The part of this polygon on the drawn side of a view's clip plane.
+     * Finds the part of this polygon on the drawn side of a view's clip plane.
      *
      * @param plane its number
      * @param kept receives it

@@ -16,7 +16,10 @@ public final class FaceBrush {
         this.tally = tally;
     }
 
-    /** One face, or a piece of it, over whatever the picture holds: its fill, then its outline. */
+    /**
+     * Paints one face, or a piece of it, over whatever the picture holds: its fill, then its
+     * outline.
+     */
     public void paint(ScreenPolygon polygon, int face) {
         fill(polygon, face);
         if (paint.hasOutline()) new OutlineStroke(out, paint.outline(face)).around(polygon);
@@ -27,7 +30,7 @@ public final class FaceBrush {
         polygon.fill(out.width(), out.height(), fill);
     }
 
-    /** The pixels [from, to) of row y. */
+    /** Paints the pixels [from, to) of row y. */
     public void span(int face, int y, int from, int to) {
         tally.pixelsWritten += to - from;
         paint.span(face, y, from, to, out);

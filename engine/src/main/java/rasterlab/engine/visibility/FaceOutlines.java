@@ -8,7 +8,7 @@ public final class FaceOutlines {
     private FaceOutlines() {}
 
     /**
-     * The corners of what is drawn of a face, in pixels: x and y of each; none where nothing is
+     * The corners of what is drawn of a face, in pixels: x and y of each; empty where nothing lies
      * between the near and the far plane.
      */
     public static double[] corners(ViewedMesh view, int face) {
@@ -29,28 +29,28 @@ public final class FaceOutlines {
     public static Optional<double[]> cut(ViewedMesh view, int face, int by) {
         var polygon = new ScreenPolygon(view);
         polygon.load(view, face);
-        double[] corners = polygon.eyeCorners();
+        double[] eye = polygon.eyeCorners();
         var ends = new double[4];
         int found = 0;
-        for (int at = 0; at < corners.length && found < 2; at += 3) {
-            int next = (at + 3) % corners.length;
-            double here = above(view, by, corners, at);
-            double there = above(view, by, corners, next);
+        for (int at = 0; at < eye.length && found < 2; at += 3) {
+            int next = (at + 3) % eye.length;
+            double here = above(view, by, eye, at);
+            double there = above(view, by, eye, next);
             if (here > 0 == there > 0) continue;
-            project(view, corners, at, next, here / (here - there), ends, 2 * found++);
+            project(view, eye, at, next, here / (here - there), ends, 2 * found++);
         }
         return found == 2 ? Optional.of(ends) : Optional.empty();
     }
 
-    /** Distance of a corner from a face's plane, above 0 on its outer side. */
-    private static double above(ViewedMesh view, int face, double[] corners, int at) {
-        return view.eyeNormal(face, 0) * corners[at]
-                + view.eyeNormal(face, 1) * corners[at + 1]
-                + view.eyeNormal(face, 2) * corners[at + 2]
+    /** Distance of a corner in eye space from a face's plane, above 0 on its outer side. */
+    private static double above(ViewedMesh view, int face, double[] eye, int at) {
+        return view.eyeNormal(face, 0) * eye[at]
+                + view.eyeNormal(face, 1) * eye[at + 1]
+                + view.eyeNormal(face, 2) * eye[at + 2]
                 - view.planeOffset(face);
     }
 
-    /** The point that lies a share of the way from one corner to the other. */
+    /** Projects the point that lies a share of the way from one corner to the other. */
     private static void project(
             ViewedMesh view, double[] eye, int from, int to, double share, double[] pixel, int at) {
         double z = eye[from + 2] + share * (eye[to + 2] - eye[from + 2]);

@@ -59,7 +59,7 @@ public final class ScreenPolygon {
         load(view, face, view.eyeX, view.eyeY, view.eyeZ);
     }
 
-    /** The same with other eye coordinates than the view's own. */
+    /** Loads the same with other eye coordinates than the view's own. */
     public void load(ViewedMesh view, int face, double[] eyeX, double[] eyeY, double[] eyeZ) {
         var mesh = view.mesh();
         whole.size = 0;

@@ -41,7 +41,9 @@ final class CapsCheck {
         faults.requireNone();
     }
 
-    /** The same, where each limit that is too low is kept, with the first case that shows it. */
+    /**
+     * Checks the same, where each limit that is too low is kept, with the first case that shows it.
+     */
     static void check(ExerciseFolder folder, Exercise exercise, Faults faults) {
         if (exercise.form() != Exercise.Form.WRITE) return;
         CapsCheck check = new CapsCheck(folder, exercise);

@@ -25,7 +25,7 @@ abstract class Calling {
 
     abstract Object call(Object student, Object[] given) throws Throwable;
 
-    /** The loop that is timed. */
+    /** Runs the loop that is timed. */
     static void callEach(Calling[] by, Object student, Object[][] given, Object[] returned)
             throws Throwable {
         for (int i = 0; i < given.length; i++) returned[i] = by[i].call(student, given[i]);

@@ -94,7 +94,7 @@ public final class AnswerGrid {
         for (int y = margin; y <= bottom; y += cell) g.drawLine(margin, y, right, y);
     }
 
-    /** Every number where there is place for all, else every fifth, or tenth. */
+    /** Writes every number where there is place for all, else every fifth, or tenth. */
     private void numbers(Graphics2D g) {
         g.setFont(FONT);
         g.setColor(Ink.LABEL);

@@ -94,7 +94,7 @@ final class PlaneDifference {
         }
     }
 
-    /** The vertices of a figure, dark where the other side has the same. */
+    /** Draws the vertices of a figure, dark where the other side has the same. */
     private void corners(
             PlanePainter painter, PlaneFigure figure, List<Point2D> shared, boolean isExtra) {
         for (Point2D place : painter.dotted(figure)) {

@@ -51,12 +51,12 @@ final class PlanePainter {
         for (PlaneFigure each : finite) if (isOut(each)) arrow(each.vertices(), color);
     }
 
-    /** Whole strokes. */
+    /** Draws whole strokes. */
     void strokes(List<Line2D> strokes, Color color, double width) {
         draw(strokes, color, new BasicStroke((float) width));
     }
 
-    /** Dashed strokes. */
+    /** Draws dashed strokes. */
     void dashes(List<Line2D> strokes, Color color, double width) {
         draw(
                 strokes,
@@ -83,7 +83,7 @@ final class PlanePainter {
     }
 
     /**
-     * A dot.
+     * Draws a dot.
      *
      * @param point whether it is a figure of its own, not only a vertex
      */
@@ -92,7 +92,7 @@ final class PlanePainter {
         g.fill(disc(place, point ? POINT : VERTEX));
     }
 
-    /** The same as a ring. */
+    /** Draws the same as a ring. */
     void ring(Point2D place, boolean point, Color color) {
         double radius = (point ? POINT : VERTEX) - 0.5;
         g.setColor(Ink.PAPER);
@@ -115,7 +115,7 @@ final class PlanePainter {
                 && view.inside(figure).getCurrentPoint() == null;
     }
 
-    /** An arrow at the border that points to a figure beyond it. */
+    /** Draws an arrow at the border that points to a figure beyond it. */
     void arrow(List<CasePoint> vertices, Color color) {
         CasePoint first = vertices.get(0);
         Point2D tip = view.nearestPlace(first);
@@ -134,7 +134,7 @@ final class PlanePainter {
         g.fill(arrow);
     }
 
-    /** A ring around a place that is too small to see. */
+    /** Draws a ring around a place that is too small to see. */
     void circle(Point2D place) {
         g.setColor(Ink.PAPER);
         g.setStroke(new BasicStroke(5));

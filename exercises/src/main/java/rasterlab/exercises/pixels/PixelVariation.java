@@ -131,8 +131,8 @@ record PixelVariation(Set<String> codes, Way way) {
         return new PixelVariation(codes, way);
     }
 
-    private static String code(int amiss, String end) {
-        return amiss == 0 ? "" : amiss > 0 ? "beyond-" + end : end;
+    private static String code(int off, String end) {
+        return off == 0 ? "" : off > 0 ? "beyond-" + end : end;
     }
 
     private static List<String> both(String one, String other) {

@@ -85,7 +85,7 @@ public final class StepValues {
         if (rounded.signum() == 0) return "0";
         int exponent = rounded.precision() - rounded.scale() - 1;
         if (Math.abs(exponent) < PLAIN_DIGITS) return rounded.toPlainString();
-        // What is so small is mostly a rounding, whose later digits say nothing.
+        // A number so small is mostly rounding, whose later digits say nothing.
         BigDecimal few = exponent < 0 ? rounded.round(SMALL).stripTrailingZeros() : rounded;
         int power = few.precision() - few.scale() - 1;
         return few.movePointLeft(power).toPlainString() + "·10" + raised(power);

@@ -58,13 +58,13 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
                     case TOO_LOW -> Message.of("isolation.too-low", Programs.MOST_PROCESSES);
                     case ROOT -> Message.of("isolation.root");
                 };
-        List<Message> amiss = new ArrayList<>();
-        if (!unlimited.isEmpty()) amiss.add(unlimited);
-        amiss.addAll(faults);
+        List<Message> failures = new ArrayList<>();
+        if (!unlimited.isEmpty()) failures.add(unlimited);
+        failures.addAll(faults);
         Message said = Message.of("isolation.box", version).and(Message.of("isolation.without"));
-        for (Message one : amiss) said = said.and(one);
+        for (Message one : failures) said = said.and(one);
         List<Message> missing = new ArrayList<>(UNPROMISED);
-        for (Message one : amiss) missing.addAll(layers(one));
+        for (Message one : failures) missing.addAll(layers(one));
         boolean exam = limit == ProcessLimit.HOLDS && faults.isEmpty();
         return new Isolation(Report.BUBBLEWRAP, said, missing, exam);
     }
@@ -84,9 +84,9 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
                 false);
     }
 
-    /** The names of the layers that a sentence on what is amiss is about. */
-    private static List<Message> layers(Message amiss) {
-        return amiss.sentences().stream()
+    /** The names of the layers that a sentence on what is missing is about. */
+    private static List<Message> layers(Message failures) {
+        return failures.sentences().stream()
                 .map(
                         one ->
                                 Message.of(

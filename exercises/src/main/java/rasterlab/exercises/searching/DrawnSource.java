@@ -97,7 +97,7 @@ final class DrawnSource implements ValueSource {
         return drawn;
     }
 
-    /** A point by itself, or equal to an earlier one, or on the line through two. */
+    /** Draws a point by itself, or equal to an earlier one, or on the line through two. */
     private void point(double[] drawn, int at, int dimension) {
         int kind = at == 0 ? 2 : random.nextInt(10);
         int one = at == 0 ? 0 : dimension * random.nextInt(at / dimension);

@@ -15,7 +15,7 @@ public class Model implements CircleRasterizer {
         }
     }
 
-    /** The pixels (±u, ±v), each once. */
+    /** Plots the pixels (±u, ±v), each once. */
     private static void sides(int x, int y, int u, int v, Pixels out) {
         out.plot(x + u, y + v);
         if (u != 0) out.plot(x - u, y + v);

@@ -15,7 +15,7 @@ class Name private constructor(
             raw: String,
             what: String = "name",
         ): Name {
-            // Cut before normalising, which takes time; NFC at most triples a text.
+            // The text is cut before normalising, which takes time; NFC at most triples a text.
             if (raw.length > LONGEST * 8) throw Rejection.BadName(what, LONGEST)
             val text = Normalizer.normalize(raw.trim(), Normalizer.Form.NFC)
             val points = text.codePoints().toArray()

@@ -83,10 +83,10 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         log.debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), malformed.message)
         show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read")
     }
-    // Whoever asked has gone: a page was closed, a download was broken off.
+    // The client has gone: a page was closed, a download was broken off.
     exception<ChannelIOException> { call, gone -> log.gone(call, gone) }
     exception<ClosedByteChannelException> { call, gone -> log.gone(call, gone) }
-    // The server is stopping, which no page that is still open has to know.
+    // The server is stopping, and pages that are still open need not be told.
     exception<CancellationException> { _, stopping -> throw stopping }
     exception<URLDecodeException> { call, malformed ->
         show(call, HttpStatusCode.BadRequest, "malformed-request", "the address or the form: ${malformed.message}")

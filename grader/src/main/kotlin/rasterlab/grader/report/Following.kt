@@ -57,7 +57,7 @@ suspend fun ServerSSESession.onEachChange(
     tell: suspend () -> Boolean,
 ) {
     while (true) {
-        // Read before looking: what changes while we look makes us look again.
+        // The stand is read before looking: a change during the look makes us look again.
         val seen = live.stand(submission)
         if (!tell()) return
         while (withTimeoutOrNull(QUIET_MILLIS) { live.awaitChange(submission, seen) } == null) {

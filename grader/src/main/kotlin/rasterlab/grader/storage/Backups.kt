@@ -127,7 +127,7 @@ object Backups {
 
     /** Moves a database away with what was not yet written into it; it may be broken. */
     private fun putAside(database: Path): Path? {
-        // Empty is what was made for this restoring only.
+        // An empty file was made for this restoring only.
         if (!database.exists() || database.fileSize() == 0L) return null
         val former =
             generateSequence(1) { it + 1 }

@@ -121,7 +121,7 @@ class GradingQueue(
             if (failing) log.info("the sweep goes on")
             failing = false
         } catch (failure: Exception) {
-            // What the last one could not do is left to the server's next start.
+            // Work that the last sweep could not do is left to the server's next start.
             if (sweeper.isShutdown) return
             if (!failing) log.error("the sweep failed and is made again each {}", SWEEP, failure)
             failing = true

@@ -109,7 +109,8 @@ class Intake(
     ) {
         val waiting = count(student, handle.createQuery("$COUNT AND state <> 'done'"))
         if (waiting >= limits.waiting) throw Rejection.TooManyQueued(limits.waiting, retryAfterSeconds = 5)
-        // Up to now only: before the clock was set back, some may have come at a time that is still to come.
+        // Only submissions up to now count: before the clock was set back, some may have come at a time that is still
+        // to come.
         val now = clock.instant()
         val lately =
             count(

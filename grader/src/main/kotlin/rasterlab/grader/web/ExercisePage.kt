@@ -68,7 +68,8 @@ internal class ExercisePage(
     ): ExerciseStand {
         val due = deadlines.of(who)[exercise.id()]
         val sheet = sheets.next(who, exercise)
-        // What was typed to another sheet, as where this attempt was handed in meanwhile, answers no question of this.
+        // Answers typed to another sheet, as where this attempt was handed in meanwhile, belong to no question of this
+        // one.
         val typed = form?.answers?.takeIf { it.sheet.seed() == sheet?.seed() }
         return ExerciseStand(
             who,

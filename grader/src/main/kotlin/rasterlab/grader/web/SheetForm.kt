@@ -1,6 +1,8 @@
 package rasterlab.grader.web
 
+import kotlinx.html.CommonAttributeGroupFacade
 import kotlinx.html.FlowContent
+import kotlinx.html.FlowOrPhrasingContent
 import kotlinx.html.InputType
 import kotlinx.html.div
 import kotlinx.html.fieldSet
@@ -24,7 +26,7 @@ import rasterlab.grader.submission.SheetField
 import rasterlab.grader.submission.TypedSheet
 import java.util.Locale
 
-/** The longest text of a number that a browser takes. */
+/** The most characters that a browser takes for a number. */
 private const val LONGEST_NUMBER = "60"
 
 /** The questions of a sheet walk by walk: the data, the steps that are shown, and fields for each step asked for. */
@@ -137,8 +139,8 @@ private fun FlowContent.numbers(
     }
 }
 
-/** Leads to the first field that is wrong. */
-private fun kotlinx.html.CommonAttributeGroupFacade.markFault(
+/** Marks a field that is wrong; the first of them gets the keyboard. */
+private fun CommonAttributeGroupFacade.markFault(
     field: String,
     typed: TypedSheet,
 ) {
@@ -148,7 +150,7 @@ private fun kotlinx.html.CommonAttributeGroupFacade.markFault(
     if (typed.faults.keys.first() == field) attributes["autofocus"] = "autofocus"
 }
 
-private fun kotlinx.html.FlowOrPhrasingContent.fault(
+private fun FlowOrPhrasingContent.fault(
     texts: PageTexts,
     field: String,
     typed: TypedSheet,

@@ -156,7 +156,7 @@ public final class Actions extends JPanel {
      */
     public void tell(String sentence) {
         status.show(sentence);
-        // As high as the sentence is in the width that it has.
+        // This makes the label as high as its sentence needs at its present width.
         status.setSize(Math.max(1, getWidth() - 14), Short.MAX_VALUE);
         status.setVisible(true);
         revalidate();

@@ -58,7 +58,7 @@ public final class Chips extends JPanel {
         add(HazardCase.unjudged(name, text, hint, action));
     }
 
-    /** A chip that also says over the stage what is special, and which methods fail. */
+    /** Adds a chip that also says over the stage what is special, and which methods fail. */
     public void add(HazardCase hazard) {
         add(hazard, cases.size());
     }

@@ -13,7 +13,7 @@ import rasterlab.engine.study.Verdict;
  * @param special one sentence: what is special about the input
  * @param methods in teaching order; none where no method is judged by it
  * @param recorded method name to the verdict it is known to earn here
- * @param show brings the input
+ * @param show shows the input in the lab
  */
 public record HazardCase(
         String name,

@@ -89,7 +89,7 @@ final class HazardStrip extends JPanel {
                         1, 1, 1, 1, UIManager.getColor("Component.borderColor")));
     }
 
-    /** Whose input and method the verdicts are compared with. */
+    /** Says with whose input and method the verdicts are compared. */
     void of(LabInput next) {
         lab = Optional.of(next);
     }

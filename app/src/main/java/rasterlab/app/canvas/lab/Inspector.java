@@ -62,9 +62,9 @@ public final class Inspector extends JPanel implements Scrollable {
     }
 
     /**
-     * A control behind its label, whose mnemonic goes to the control. A list of choices is never
-     * narrower than its longest one, and in large type stands below its label; other controls give
-     * way.
+     * Adds a control behind its label, whose mnemonic goes to the control. A list of choices is
+     * never narrower than its longest one, and in large type stands below its label; other controls
+     * give way.
      */
     public void row(String key, JComponent control) {
         var label = new JLabel(texts.label(key));

@@ -63,7 +63,7 @@ public final class LabLayout extends JPanel {
                         "[][grow,fill][]"));
         column = column(inspector, actions);
         hiding = new InspectorSwitch(inspector.language(), () -> toggle(stage));
-        // Each in its cell: what is hidden would take the end of its row along.
+        // Each part has its own cell: a hidden one would otherwise take the end of its row along.
         add(chips, "cell 0 0, wmin 0, growx");
         add(hiding, "cell 1 0 1 3, growy");
         int usual = UIScale.scale(inspector.stacked() ? STACKED : INSPECTOR);

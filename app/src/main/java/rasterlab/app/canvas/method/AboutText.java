@@ -30,7 +30,7 @@ public final class AboutText extends JEditorPane {
         setEditable(false);
         getAccessibleContext().setAccessibleName(labels.text("about"));
         setOpaque(false);
-        // A new text is not to scroll the inspector.
+        // A new text must not scroll the inspector.
         if (getCaret() instanceof DefaultCaret caret)
             caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         setBorder(null);
@@ -57,7 +57,7 @@ public final class AboutText extends JEditorPane {
      */
     public record Called(String name, Texts texts, String key) {}
 
-    /** Several methods, each by its name first. */
+    /** Shows several methods, each by its name first. */
     public void show(List<Called> methods) {
         tell(
                 methods.stream()

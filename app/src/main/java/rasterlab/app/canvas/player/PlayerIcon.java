@@ -68,7 +68,9 @@ enum PlayerIcon {
             g.fill(new Rectangle2D.Double(x, 2.5, 2.5, 11));
         }
 
-        /** A triangle whose upright side is at {@code base} and whose tip is at {@code tip}. */
+        /**
+         * Draws a triangle whose upright side is at {@code base} and whose tip is at {@code tip}.
+         */
         private static void triangle(Graphics2D g, double base, double tip) {
             var path = new Path2D.Double();
             path.moveTo(base, 2.5);

@@ -136,7 +136,9 @@ public final class StepPlayer extends JPanel {
         if (played) steps.rest();
     }
 
-    /** One step of the user's, after which others follow while it plays or the slider is held. */
+    /**
+     * Takes one step for the user, after which others follow while it plays or the slider is held.
+     */
     private void go(int step) {
         onUse.run();
         steps.goTo(step);

@@ -57,7 +57,7 @@ public final class NameChooser extends JComboBox<String> {
     }
 
     private void choose(Consumer<String> chosen) {
-        // Asked first: what is shown in answer are events as well.
+        // This asks first, because showing the answer makes events as well.
         keyed = EventQueue.getCurrentEvent() instanceof KeyEvent;
         chosen.accept((String) getSelectedItem());
         if (keyed) keepKeyboard();

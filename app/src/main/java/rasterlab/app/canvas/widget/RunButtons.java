@@ -63,7 +63,7 @@ public final class RunButtons {
         last = pressed;
         cancel.setEnabled(true);
         begin.forEach(button -> button.setEnabled(false));
-        // After they are disabled, each of which asks for the keyboard's next place.
+        // This comes after disabling: each disabled button passes the keyboard on.
         if (pressed.isPresent()) cancel.requestFocusInWindow();
     }
 

@@ -28,7 +28,7 @@ final class ProofText {
         new ProofText(proof, console).print();
     }
 
-    /** Who was rejected in each of several, and how many are proved. */
+    /** Prints who was rejected in each of several, and how many are proved. */
     static void printSummary(List<Proof> proofs, Console console) {
         Texts texts = console.language().texts();
         var table =

@@ -135,7 +135,9 @@ final class ReportText {
         for (PublishedCase judged : cases) printPicture(judged);
     }
 
-    /** The rules by which answers are right, each once, with its cases where not all have it. */
+    /**
+     * Prints the rules by which answers are right, each once, with its cases where not all have it.
+     */
     private void printRules(List<PublishedCase> cases) {
         Map<String, List<String>> titles = new LinkedHashMap<>();
         for (PublishedCase judged : cases)
@@ -152,7 +154,7 @@ final class ReportText {
                                 titles.size() == 1 ? rule : String.join(", ", of) + " – " + rule));
     }
 
-    /** Why hidden cases are there, as far as that may be told. */
+    /** Prints why hidden cases are there, as far as that may be told. */
     private void printReasons(List<PublishedCase> cases) {
         if (cases.stream().anyMatch(judged -> judged.why().isPresent())) out.println();
         for (PublishedCase judged : cases)

@@ -112,7 +112,7 @@ public final class MethodsCommand implements Callable<Integer> {
         return before + texts.text(key) + " ".repeat(width + 1 - texts.text(key).length());
     }
 
-    /** One label, the lines of the text below each other behind it. */
+    /** Prints a label and, behind it, the lines of the text below each other. */
     private void printWrapped(String label, String text) {
         String start = label;
         for (String line : Wrapping.lines(text, WIDTH - label.length(), String::length)) {

@@ -10,7 +10,7 @@ import java.util.List;
  * @param extra the same
  */
 public record WrongParts(List<double[]> missing, List<double[]> extra) {
-    /** Nothing a picture can show: a billionth of the window. */
+    /** Largest distance that no picture can show: a billionth of the window. */
     private static final double TOLERANCE = 1e-9;
 
     static final WrongParts NONE = new WrongParts(List.of(), List.of());

@@ -51,7 +51,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
         show(next);
     }
 
-    /** The same for a choice that looks so different that all of it should come into sight. */
+    /** Does the same for a choice that looks so different that all of it should come into sight. */
     public final void rearrange(C next) {
         boolean same = next.equals(choice);
         if (!same) history.remember();
@@ -120,7 +120,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
         tell();
     }
 
-    /** Told each new choice before the listeners are. */
+    /** Is told each new choice before the listeners are. */
     protected void chosen(C next) {}
 
     /** Tells the listeners the present choice once more. */

@@ -190,7 +190,7 @@ final class FigurePainter {
             label(beside.label(), x(beside.at()) + 6 + half, y(beside.at()));
     }
 
-    /** Where it hides no lines. */
+    /** Writes the text where it hides no lines. */
     private void beside(String label, double x, double y) {
         if (label.isEmpty()) return;
         FontMetrics metrics = g.getFontMetrics();

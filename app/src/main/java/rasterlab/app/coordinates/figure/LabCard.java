@@ -75,7 +75,7 @@ public abstract class LabCard extends LabPanel {
         arrange(chips, stage, inspector, steps);
     }
 
-    /** The same where the steps are counted, as the lab's texts say. */
+    /** Does the same where the steps are counted, as the lab's texts say. */
     protected final void play(
             JComponent chips, JComponent stage, Inspector inspector, Steps steps, Texts texts) {
         var counted =

@@ -82,7 +82,7 @@ final class ListFigure {
         return scene.choice().points().stream().mapToDouble(Math::abs).max().orElse(1);
     }
 
-    /** The axes that the steps have moved. */
+    /** Draws the axes that the steps have moved. */
     private void frame(int step) {
         List<StagePoint> ends = places.of(scene.frame(step, LONGER * reach()));
         for (int axis = 0; axis < dimension; axis++)

@@ -134,7 +134,8 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
     }
 
     /**
-     * The same by the method that was tried last, or the first one where the topic is another.
+     * Shows the same by the method that was tried last, or the first one where the topic is
+     * another.
      *
      * @param method "" for none in particular
      */
@@ -232,7 +233,7 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         pass(choice().withSelected(index));
     }
 
-    /** One matrix more behind the selected one; none beyond {@link ListChoice#MOST}. */
+    /** Adds a matrix behind the selected one; none beyond {@link ListChoice#MOST}. */
     public void add(String name) {
         ListChoice now = choice();
         if (now.items().size() >= ListChoice.MOST) return;
@@ -242,7 +243,7 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         edit(now.withItems(items, at));
     }
 
-    /** The selected one less. */
+    /** Removes the selected matrix. */
     public void remove() {
         ListChoice now = choice();
         if (now.selected() < 0) return;
@@ -251,7 +252,7 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         edit(now.withItems(items, now.selected()));
     }
 
-    /** The selected one so many places later. */
+    /** Moves the selected matrix so many places towards the end. */
     public void move(int by) {
         ListChoice now = choice();
         int to = now.selected() + by;
@@ -262,7 +263,8 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
     }
 
     /**
-     * Another number for the selected matrix; one out of its range is shown with why it is refused.
+     * Sets another number for the selected matrix; one out of its range is shown with why it is
+     * refused.
      */
     public void set(int number, double value) {
         ListChoice now = choice();

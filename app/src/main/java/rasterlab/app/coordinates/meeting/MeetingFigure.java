@@ -73,7 +73,7 @@ final class MeetingFigure {
         marks.add(new Mark.Words(new StagePoint(most, -NAME), MarkInk.EDGE, "n·p = c"));
     }
 
-    /** The right place as a cross, the chosen method's as a dot of its colour. */
+    /** Draws the right place as a cross, the chosen method's as a dot of its colour. */
     private void meetings() {
         if (drawn(scene.exact())) marks.add(new Mark.Cross(at(scene.exact()), MarkInk.OBJECT, ""));
         MeetingScene.Answer chosen = scene.chosen();

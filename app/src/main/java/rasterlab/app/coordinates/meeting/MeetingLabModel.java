@@ -61,7 +61,7 @@ public final class MeetingLabModel extends ChoiceModel<MeetingChoice> {
         change(choice().withMethod(topic.method(method).name()));
     }
 
-    /** The plane and the first of the lines. */
+    /** Shows the plane and the first of the lines. */
     public void show(PlaneAndLines input) {
         rearrange(choice().with(input));
     }

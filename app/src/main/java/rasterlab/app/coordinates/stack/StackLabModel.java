@@ -30,7 +30,7 @@ public final class StackLabModel extends ChoiceModel<StackChoice> implements Ste
         goTo(last());
     }
 
-    /** A program without commands. */
+    /** Shows a program without commands. */
     public void clear() {
         change(choice().with(List.of()));
     }
@@ -58,7 +58,7 @@ public final class StackLabModel extends ChoiceModel<StackChoice> implements Ste
         change(choice().with(commands));
     }
 
-    /** Another number for the newest command; one that is not allowed is an error of it. */
+    /** Sets another number for the newest command; one that is not allowed is an error of it. */
     public void set(int number, double value) {
         if (step == 0) return;
         var commands = new ArrayList<>(choice().commands());

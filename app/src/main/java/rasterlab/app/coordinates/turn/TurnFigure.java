@@ -46,7 +46,7 @@ final class TurnFigure {
         return new Figure(marks, true);
     }
 
-    /** Where the point ends, and where it belongs; other methods where that is seen. */
+    /** Draws where the point ends, and where it belongs; other methods where that is seen. */
     private static void ends(TurnScene scene, List<Mark> marks, Language language) {
         for (TurnScene.Drift each : scene.drifts()) {
             boolean own = each.method().equals(scene.choice().method());

@@ -137,7 +137,7 @@ final class ViewFigure {
         wire(image, places(image), MarkInk.OBJECT, choice.vanishing() ? "" : "numbered");
     }
 
-    /** The window's edge, and its middle where the picture plane's origin falls. */
+    /** Draws the window's edge, and its middle where the picture plane's origin falls. */
     private void window() {
         double width = choice.number(ViewNumber.WIDTH);
         double height = choice.number(ViewNumber.HEIGHT);
@@ -153,7 +153,7 @@ final class ViewFigure {
         marks.add(new Mark.Cross(new StagePoint(fit.centreX(), fit.centreY()), MarkInk.HELP, ""));
     }
 
-    /** Left and right one over the other, or in the halves of a picture twice as wide. */
+    /** Draws left and right one over the other, or in the halves of a picture twice as wide. */
     private void twoEyes() {
         for (int eye = 0; eye < 2; eye++)
             wire(image(eye), eye(eye), eye == 0 ? MarkInk.LEFT_EYE : MarkInk.RIGHT_EYE, "");
@@ -211,7 +211,7 @@ final class ViewFigure {
         return Math.hypot(x, y) > most;
     }
 
-    /** Where the images of all parallels to one edge of the house meet. */
+    /** Draws where the images of all parallels to one edge of the house meet. */
     private void vanishing(ViewScene.Image image) {
         Matrix4d all = scene.matrix(stage);
         for (int axis = 0; axis < 3; axis++) {
@@ -261,7 +261,7 @@ final class ViewFigure {
             scene.image(ViewStage.Space.PICTURE.ordinal()).ifPresent(flat -> image(flat, z));
         }
 
-        /** The picture on its plane, with an edge around both. */
+        /** Draws the picture on its plane, with an edge around both. */
         private void image(ViewScene.Image flat, double z) {
             if (flat.behind() > 0) return;
             double[] points = flat.numbers();

@@ -50,7 +50,7 @@ public final class ViewPanel extends LabCard {
         parts.addAll(inspector.sections());
         parts.add(this::addRows);
         parts.add(this::putTogether);
-        // What has been shown once is quick to show again.
+        // A part that has been shown once is quick to show again.
         parts.add(inspector::showChoice);
         parts.add(inspector::showNumbers);
         return parts;

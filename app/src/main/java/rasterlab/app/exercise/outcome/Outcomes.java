@@ -58,7 +58,7 @@ public final class Outcomes implements AutoCloseable {
             OutcomeFile.write(file, exercise, outcome);
             LocalTries.note(file, outcome.points());
         } catch (Complaint unwritable) {
-            // Of an older outcome than the one that is shown.
+            // The file belongs to an older outcome than the one that is shown.
             file.toFile().delete();
         }
     }

@@ -32,7 +32,7 @@ final class CaseZoom {
         e.consume();
     }
 
-    /** Makes all so much larger about a point of the component. */
+    /** Zooms by a factor about a point of the component. */
     void zoom(double factor, double atX, double atY) {
         double next = Math.max(1, Math.min(MOST, scale * factor));
         x = within(atX - (atX - x) * next / scale, canvas.getWidth(), next);

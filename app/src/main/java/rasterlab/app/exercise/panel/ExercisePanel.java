@@ -306,7 +306,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
             result.focusGiveUp();
         }
         boolean told = !state.notice().isEmpty() && !state.notice().equals(said);
-        // After what hides the other room has asked for the keyboard's next place.
+        // This runs after the hidden room has passed the keyboard on.
         if (told && rooms.show(ExercisePanes.Room.PROGRAM)) EventQueue.invokeLater(bar::focus);
         running = state.work().running();
         said = state.notice();

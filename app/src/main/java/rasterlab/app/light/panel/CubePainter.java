@@ -231,7 +231,7 @@ final class CubePainter {
                 colours.ink());
     }
 
-    /** The colour itself, large enough to be judged. */
+    /** Draws the colour itself, large enough to be judged. */
     private void swatch() {
         String code = String.format(Locale.ROOT, "#%06X", colour.rgb());
         int wide = (int) Math.max(g.getFontMetrics().stringWidth(code) + 20, unit * 0.28);

@@ -167,7 +167,7 @@ final class LightPainter {
                 Color.BLACK);
     }
 
-    /** A cross in a ring, where the formula is shown in numbers. */
+    /** Draws a cross in a ring, where the formula is shown in numbers. */
     private void point(Graphics2D over, Rectangle box) {
         Point2D at = at(LightGrip.Kind.POINT, 0, box);
         var ring = new Ellipse2D.Double(at.getX() - 7, at.getY() - 7, 14, 14);
@@ -180,7 +180,7 @@ final class LightPainter {
         }
     }
 
-    /** A disc of its colour with rays, numbered; hollow when it is off. */
+    /** Draws a disc of its colour with rays, numbered; hollow when it is off. */
     private void lamp(Graphics2D over, int index, Rectangle box) {
         Lamp lamp = choice.lamps().get(index);
         Point2D at = at(LightGrip.Kind.LAMP, index, box);

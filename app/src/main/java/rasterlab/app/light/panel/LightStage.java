@@ -104,7 +104,7 @@ public final class LightStage extends SelfDrawn implements Settling {
         model.settle();
     }
 
-    /** Each picture in the screen's own dots. */
+    /** Places each picture in the screen's own dots. */
     @Override
     public void doLayout() {
         double scale = DevicePixels.scale(this);

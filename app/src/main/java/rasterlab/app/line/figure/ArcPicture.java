@@ -95,7 +95,7 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
         }
     }
 
-    /** The pixels that were lit twice or more up to this step, be they right or wrong. */
+    /** Marks the pixels that were lit twice or more up to this step, be they right or wrong. */
     private void again(Graphics2D g, PlaneMap map, double size) {
         for (int i = 0; i < drawing.extra().againAmong(step); i++) {
             int at = drawing.extra().again(i);

@@ -95,7 +95,7 @@ record BrightnessPicture(
         return seen ? own : MethodColours.edgeOn(colours.ground(), own);
     }
 
-    /** The methods' names below each other in the lower left corner. */
+    /** Writes the methods' names below each other in the lower left corner. */
     private void key(Graphics2D g, PlaneMap map, StageColours colours, int method) {
         FontMetrics metrics = g.getFontMetrics();
         double y = map.viewY(0.08) - (methods.size() - 1 - method) * (metrics.getHeight() + 6);

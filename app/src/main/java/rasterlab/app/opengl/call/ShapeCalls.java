@@ -17,7 +17,7 @@ final class ShapeCalls {
         this.alpha = (float) alpha;
     }
 
-    /** Each frame anew. */
+    /** Sends the shape anew in each frame. */
     void direct(GlShape shape) {
         calls.of(Setting.SCENE).add(text(shape), () -> draw(shape));
         calls.free();

@@ -51,7 +51,7 @@ final class Strokes {
         }
     }
 
-    /** The parallelogram about a to b. */
+    /** Fills the parallelogram about a to b. */
     private void band(double[] a, double[] b, boolean across) {
         double aside = across ? 0 : 0.5;
         double up = across ? 0.5 : 0;

@@ -59,7 +59,7 @@ final class LabModel<M> implements AutoCloseable {
     private synchronized M make() {
         if (made.isPresent()) return made.get();
         if (closed) throw new IllegalStateException("the lab is closed");
-        // Of its own: what fails takes with it what it handed out.
+        // Each model has its own queue: one that fails takes its events with it.
         var held = new HeldEvents(events);
         M model = making.apply(held);
         begun.accept(kept(model));

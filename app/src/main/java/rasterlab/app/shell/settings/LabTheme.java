@@ -46,7 +46,7 @@ public enum LabTheme {
      */
     public void install(int textPercent) {
         FlatLaf.setGlobalExtraDefaults(colours);
-        // Before any other use of UIManager, which would make Java's own look first.
+        // This comes before any other use of UIManager, which would set up Java's own look.
         if (this == DARK) FlatDarkLaf.setup();
         else FlatLightLaf.setup();
         UIManager.put(StageColours.HIGH_CONTRAST, this == PROJECTOR);
@@ -55,7 +55,7 @@ public enum LabTheme {
         UIManager.put("defaultFont", usual.deriveFont((float) size));
         UIManager.put("ScrollBar.showButtons", false);
         UIManager.put("TabbedPane.showTabSeparators", true);
-        // Ten titles in Russian beside each other in a window of 1280.
+        // Ten Russian titles fit beside each other in a window 1280 pixels wide.
         UIManager.put("TabbedPane.tabInsets", new InsetsUIResource(4, 7, 4, 7));
         UIManager.put("ToolTip.maximumWidth", 420);
     }

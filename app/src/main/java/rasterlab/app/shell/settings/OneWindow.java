@@ -32,7 +32,7 @@ public final class OneWindow {
             problem.accept(Problem.of("window.second"));
             return false;
         }
-        // A channel that nothing holds is closed with its lock some day.
+        // The hook holds the channel: one that is collected is closed and loses its lock.
         Runtime.getRuntime().addShutdownHook(new Thread(() -> close(channel), "window lock"));
         return true;
     }

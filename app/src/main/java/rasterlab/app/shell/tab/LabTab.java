@@ -106,7 +106,7 @@ public final class LabTab implements AutoCloseable {
                     playing.ifPresent(before -> goOn(first, before));
                     told.ifPresent(before -> Chips.tellAgain(before, first));
                 });
-        // What takes long when it is measured first is quick when the window lays it out.
+        // The first measuring takes long; after it the window lays the panel out quickly.
         parts.add(first::getPreferredSize);
     }
 

@@ -48,7 +48,7 @@ public final class TabbedLabs extends JTabbedPane {
             addTab(tab.title(), null, new JPanel(new BorderLayout()), texts.text("tab.tip", digit));
             setMnemonicAt(getTabCount() - 1, KeyEvent.VK_0 + digit);
         }
-        // The look and feel's names of what the arrow keys do on the strip of tabs.
+        // These are the look and feel's names for the arrow keys on the strip of tabs.
         getActionMap().put("navigateRight", stepping(1));
         getActionMap().put("navigateLeft", stepping(-1));
     }
@@ -199,7 +199,7 @@ public final class TabbedLabs extends JTabbedPane {
                 .whenComplete((done, failure) -> later(index, () -> make(index)));
     }
 
-    /** Part by part; then what shows the panel. */
+    /** Makes it part by part; then does what shows the panel. */
     private void make(int index) {
         LabTab tab = tabs.get(index);
         if (tab.isWhole()) later(index, () -> show(index));
@@ -207,7 +207,7 @@ public final class TabbedLabs extends JTabbedPane {
             later(
                     index,
                     () -> {
-                        // One that was chosen again meanwhile is made by both choices in turn.
+                        // A tab that was chosen again meanwhile is made by both choices in turn.
                         if (!tab.isWhole()) tab.makePart();
                         make(index);
                     });

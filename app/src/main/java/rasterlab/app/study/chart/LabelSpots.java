@@ -51,7 +51,7 @@ final class LabelSpots {
     /** Points in one row with a label, and so far from it, may be taken for its own, in pixels. */
     private static final int LEVEL = 30;
 
-    // What speaks against a spot, in pixels of a leader that are as bad.
+    // Penalties of a spot, in pixels of a leader line that are as bad.
     private static final double NOT_AT_ONCE = 0.05;
     private static final double NOT_BESIDE = 3;
     private static final double LEVEL_WITH_OTHER = 60;

@@ -46,12 +46,12 @@ final class SizeLabels extends Annotation {
         this.ground = ground;
     }
 
-    /** A line through marked points, which no label may hide. */
+    /** Adds a line through marked points, which no label may hide. */
     void avoid(List<Point> line) {
         lines.add(List.copyOf(line));
     }
 
-    /** A line across the chart at a place of its axis upwards, likewise. */
+    /** Adds a line across the chart at a place of its axis upwards, likewise. */
     void avoidEdge(double position) {
         edges.add(position);
     }

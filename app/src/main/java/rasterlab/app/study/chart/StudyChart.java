@@ -167,7 +167,7 @@ public final class StudyChart {
         look.style(series);
     }
 
-    /** The least and the greatest size. */
+    /** Writes the least and the greatest size. */
     private static void label(
             SizeLabels sizes,
             MethodLook look,

@@ -170,7 +170,9 @@ public final class FrontChart implements StudyPicture {
         graphics.draw(path);
     }
 
-    /** The interval of the median, and the errors from the middle input's to the worst one's. */
+    /**
+     * Draws the interval of the median, and the errors from the middle input's to the worst one's.
+     */
     private void bars(
             Graphics2D graphics,
             Spot spot,

@@ -50,7 +50,7 @@ final class PlotFrame {
         return new Color(ink.getRed(), ink.getGreen(), ink.getBlue(), alpha);
     }
 
-    /** A title in the middle over the whole width, smaller where it would not fit. */
+    /** Writes a title in the middle over the whole width, smaller where it would not fit. */
     void title(String text, double width) {
         int wide = graphics.getFontMetrics(TITLE).stringWidth(text);
         float size = (float) Math.min(TITLE.getSize2D(), TITLE.getSize2D() * (width - 20) / wide);
@@ -60,7 +60,7 @@ final class PlotFrame {
         graphics.drawString(text, (float) Math.max(10, (width - drawn) / 2), 24);
     }
 
-    /** The axis to the right with its words below. */
+    /** Draws the axis to the right with its words below. */
     void axisRight(LogScale scale, String words) {
         graphics.setFont(NUMBER);
         FontMetrics metrics = graphics.getFontMetrics();
@@ -80,7 +80,7 @@ final class PlotFrame {
         middle(AXIS, words, plot.getCenterX(), plot.getMaxY() + 36);
     }
 
-    /** The axis upwards with its words beside, read from below. */
+    /** Draws the axis upwards with its words beside, read from below. */
     void axisUp(LogScale scale, String words) {
         graphics.setFont(NUMBER);
         FontMetrics metrics = graphics.getFontMetrics();
@@ -106,7 +106,7 @@ final class PlotFrame {
         graphics.setTransform(before);
     }
 
-    /** A word at the left of the plot, at a height of its own. */
+    /** Writes a word at the left of the plot, at a height of its own. */
     void besideLeft(String word, double y) {
         graphics.setFont(NUMBER);
         graphics.setColor(paper.ink());

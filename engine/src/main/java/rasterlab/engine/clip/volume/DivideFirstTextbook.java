@@ -14,7 +14,7 @@ import rasterlab.contract.SpaceSegmentSink;
  * out.
  *
  * <p>Source: what the order "clip, then divide" of J. F. Blinn, M. E. Newell, Clipping using
- * homogeneous coordinates, SIGGRAPH 1978, is there to avoid.
+ * homogeneous coordinates, SIGGRAPH 1978, pp. 245–251, is there to avoid.
  */
 public final class DivideFirstTextbook implements SteppedVolumeClipper {
     private static final String[] PLANES = {"X = 1", "X = -1", "Y = 1", "Y = -1", "Z = 0", "Z = 1"};

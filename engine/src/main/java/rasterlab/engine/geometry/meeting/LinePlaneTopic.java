@@ -76,7 +76,7 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
     public long spend(LinePlane method, PlaneAndLines input) {
         double sum = 0;
         for (int i = 0; i < input.size(); i++) sum += input.mu(method, i);
-        // Hardly ever true, but only this class knows: the answers have to be computed.
+        // Hardly ever true, but the compiler cannot know: it must compute the answers.
         return sum == Math.PI ? 0 : input.size();
     }
 

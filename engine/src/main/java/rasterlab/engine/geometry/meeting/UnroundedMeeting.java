@@ -15,7 +15,7 @@ import rasterlab.engine.geometry.Finite;
  * have to be within 2⁴⁰⁰ of the largest, so that every product's error is a double.
  *
  * <p>Source: exact sums after J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast
- * robust geometric predicates, Discrete & Computational Geometry 18, 1997.
+ * robust geometric predicates, Discrete & Computational Geometry 18, 1997, pp. 305–363.
  */
 final class UnroundedMeeting implements LinePlane {
     private static final double SMALLEST_PART = 0x1p-400;

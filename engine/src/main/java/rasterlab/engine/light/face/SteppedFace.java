@@ -9,7 +9,7 @@ public interface SteppedFace extends FaceShader {
     @FunctionalInterface
     interface Evaluations {
         /**
-         * One evaluation.
+         * Is told one evaluation.
          *
          * @param place x, y, z of the point
          * @param normal there, as the formula gets it

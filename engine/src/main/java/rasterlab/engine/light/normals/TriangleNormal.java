@@ -7,7 +7,7 @@ public final class TriangleNormal {
     private TriangleNormal() {}
 
     /**
-     * (b − a) × (c − a): along the outward normal, as long as twice the area.
+     * Computes (b − a) × (c − a): along the outward normal, as long as twice the area.
      *
      * @param face where the face's three vertex numbers begin in {@code triangles}
      * @param out receives x, y, z
@@ -28,8 +28,8 @@ public final class TriangleNormal {
     }
 
     /**
-     * The same direction, from edges brought to length 1 first: no product vanishes, however small
-     * the triangle is.
+     * Computes the same direction from edges brought to length 1 first: no product vanishes,
+     * however small the triangle is.
      */
     static void direction(double[] vertices, int[] triangles, int face, double[] out) {
         int a = 3 * triangles[face];

@@ -10,8 +10,8 @@ import rasterlab.engine.light.UnitVector;
  * face whose cross product is (0, 0, 0) is left out, whatever its weight.
  *
  * <p>Sources: H. Gouraud, Continuous shading of curved surfaces, IEEE Transactions on Computers
- * 20(6), 1971 (plain); G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal facets,
- * Journal of Graphics Tools 3(1), 1998 (angles).
+ * 20(6), 1971, pp. 623–629 (plain); G. Thürmer, C. A. Wüthrich, Computing vertex normals from
+ * polygonal facets, Journal of Graphics Tools 3(1), 1998, pp. 43–46 (angles).
  */
 public final class WeightedNormals implements SteppedNormals {
     /** A sum below this share of its weights has no direction. */

@@ -16,8 +16,8 @@ import rasterlab.engine.transform.Angle;
  *
  * <p>Sources: J. H. Lambert, Photometria, 1760; A. V. Kazantsev, Foundations of computer graphics
  * for programmers, Kazan, 2005, ch. 7, empirical model; B. T. Phong, Illumination for computer
- * generated pictures, Communications of the ACM 18(6), 1975; J. F. Blinn, Models of light
- * reflection for computer synthesized pictures, SIGGRAPH 1977.
+ * generated pictures, Communications of the ACM 18(6), 1975, pp. 311–317; J. F. Blinn, Models of
+ * light reflection for computer synthesized pictures, SIGGRAPH 1977, pp. 192–198.
  */
 public final class FormulaShader implements PointShader, TermShader {
     /** A computed n·l nearer to 0 may have the wrong sign. */

@@ -128,7 +128,7 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
 
     private static double difference(double right, double is) {
         double error = Math.abs(right - is);
-        // Where there is no answer, none is right but a refusal.
+        // Where no answer exists, only a refusal is right.
         return Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
     }
 

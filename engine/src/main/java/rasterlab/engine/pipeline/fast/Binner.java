@@ -34,7 +34,7 @@ final class Binner {
             keep(frame, frame.vertices, triangles[t], triangles[t + 1], triangles[t + 2], chunk);
     }
 
-    /** The same where some vertices lie beyond a plane. */
+    /** Sorts where some vertices lie beyond a plane. */
     private void sortOutBeyond(FrameState frame, int from, int to, TriangleChunk chunk) {
         int[] triangles = frame.mesh.triangles();
         short[] code = frame.vertices.code;
@@ -56,7 +56,7 @@ final class Binner {
         int by = v.y(b);
         int cx = v.x(c);
         int cy = v.y(c);
-        // y grows down: what turns counter-clockwise on the picture has this sign.
+        // y grows down, so a triangle that is counter-clockwise on the picture has this sign.
         long twiceArea = (long) (by - ay) * (cx - ax) - (long) (bx - ax) * (cy - ay);
         if (!frame.view.culling().keeps(twiceArea)) return;
         int top = Subpixels.firstPixel(Math.min(ay, Math.min(by, cy)));
@@ -92,7 +92,7 @@ final class Binner {
         for (int band = first; band <= last; band++) chunk.start[band + 1]++;
     }
 
-    /** A fan about the first corner. */
+    /** Adds a fan about the first corner. */
     private void clip(FrameState frame, int a, int b, int c, TriangleChunk chunk) {
         ClipPolygon polygon = clipper.clip(frame, a, b, c);
         if (polygon.size < 3) return;
@@ -136,7 +136,7 @@ final class Binner {
                             : (float) polygon.attribute(k, i));
     }
 
-    /** A counting sort: bands in order, within a band the order of {@link #add}. */
+    /** Does a counting sort: bands in order, within a band the order of {@link #add}. */
     private void sort(TriangleChunk chunk, int bands) {
         int[] start = chunk.start;
         for (int band = 0; band < bands; band++) start[band + 1] += start[band];

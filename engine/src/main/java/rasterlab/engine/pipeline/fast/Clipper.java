@@ -11,8 +11,8 @@ import rasterlab.engine.scene.VertexQuantity;
  * along an edge here, which they are no longer after the division.
  *
  * <p>Source: I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM
- * 17(1), 1974; in homogeneous coordinates: J. F. Blinn, M. E. Newell, Clipping using homogeneous
- * coordinates, SIGGRAPH 1978.
+ * 17(1), 1974, pp. 32–42; in homogeneous coordinates: J. F. Blinn, M. E. Newell, Clipping using
+ * homogeneous coordinates, SIGGRAPH 1978, pp. 245–251.
  */
 final class Clipper {
     /** Each plane adds a corner at most: 3 + 7 + 6. */

@@ -7,7 +7,7 @@ final class PixelLevels {
     private PixelLevels() {}
 
     /**
-     * Opaque colours, each channel's nearest level.
+     * Writes opaque colours, each channel's nearest level.
      *
      * @param red 0 to 1, or beyond by no more than some ulps, as the others
      */

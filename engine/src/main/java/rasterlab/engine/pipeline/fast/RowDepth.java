@@ -69,7 +69,7 @@ final class RowDepth {
         double along = (Math.abs(downB) + Math.abs(downC)) * scan.rows;
         double steep = 1 + Math.abs(cornerB) + Math.abs(cornerC) + across + along;
         float deep = Math.abs(cornerZ) + Math.abs(stepZ) * columns + Math.abs(downZ) * scan.rows;
-        // 1 more for what edges that own no centre have less, and for the rounding of 1/area.
+        // The 1 allows for the bias of edges that own no centre and for the rounding of 1/area.
         compact =
                 columns <= WIDEST
                         && steep <= STEEPEST

@@ -23,7 +23,7 @@ final class RowLoops {
         }
     }
 
-    /** n pixels of a row, where the colours are. */
+    /** Fills n pixels of a row, where the colours are. */
     private static void linear(Band band, LinearColors colors, int from, int n) {
         int[] argb = band.argb;
         float[] depth = band.depth;

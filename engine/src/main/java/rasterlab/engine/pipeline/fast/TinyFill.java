@@ -30,7 +30,7 @@ final class TinyFill {
         }
     }
 
-    /** The same for a box of so few pixels that nothing is prepared for the next one. */
+    /** Fills a box of so few pixels that nothing is prepared for the next one. */
     static void few(Band band, TinyScan scan, ScreenVertices v) {
         int[] argb = band.argb;
         float[] depth = band.depth;

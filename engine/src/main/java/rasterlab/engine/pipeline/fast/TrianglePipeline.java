@@ -66,7 +66,7 @@ public final class TrianglePipeline implements AutoCloseable {
         run(false, 0, mesh, view, surface, out.raster(), out.depth(), cancelled);
     }
 
-    /** The same on a picture that is given one colour 0xAARRGGBB at the far plane first. */
+    /** Draws on a picture that is given one colour 0xAARRGGBB at the far plane first. */
     public void drawOn(
             int background,
             TriangleMesh mesh,
@@ -77,7 +77,7 @@ public final class TrianglePipeline implements AutoCloseable {
         run(true, background, mesh, view, surface, out.raster(), out.depth(), cancelled);
     }
 
-    /** The same where nobody asks for depths afterwards: they last as long as their band. */
+    /** Draws where nobody asks for depths afterwards: they last as long as their band. */
     public void drawOn(
             int background,
             TriangleMesh mesh,

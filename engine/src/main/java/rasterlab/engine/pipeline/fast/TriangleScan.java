@@ -9,7 +9,7 @@ package rasterlab.engine.pipeline.fast;
  * the edge is a left one or a level top one, so triangles that share an edge own each pixel once.
  * All is whole numbers below 2⁵² (see {@link Subpixels}): a sliver is as exact as any other.
  *
- * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988.
+ * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988, pp. 17–20.
  */
 final class TriangleScan extends Scan {
     /** A row's band is its number without so many lowest bits. */
@@ -127,7 +127,7 @@ final class TriangleScan extends Scan {
         double perA = -1.0 / stepA;
         double perB = -1.0 / stepB;
         double perC = -1.0 / stepC;
-        // All ones where the pixels begin at the edge, 0 where they end there.
+        // The mask is all ones where the pixels begin at the edge, 0 where they end there.
         int beginA = ~(int) (stepA >> 63);
         int beginB = ~(int) (stepB >> 63);
         int beginC = ~(int) (stepC >> 63);

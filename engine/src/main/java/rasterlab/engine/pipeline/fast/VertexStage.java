@@ -123,7 +123,7 @@ final class VertexStage {
         return any;
     }
 
-    /** Found again, so that of vertices out of sight nothing is written. */
+    /** Computes the depths again, so that nothing is written for vertices out of sight. */
     private void putDepths(FrameState frame, int from) {
         transform(frame.view.toClip(), 2, clipZ);
         transform(frame.view.toClip(), 3, clipW);
@@ -150,7 +150,7 @@ final class VertexStage {
         transform(turn, 2, block.nz);
     }
 
-    /** The quantities besides colours, of which the colours are made. */
+    /** Writes the quantities besides colours, of which the colours are made. */
     private void putPlaces(FrameState frame, int from) {
         for (int k = 0; k < frame.attributeCount; k++) {
             VertexQuantity quantity = frame.attribute[k];

@@ -10,7 +10,7 @@ import rasterlab.engine.scene.Mesh;
  * highlight inside a face is lost and one at a corner is spread over the face.
  *
  * <p>Source: H. Gouraud, Continuous shading of curved surfaces, IEEE Transactions on Computers
- * 20(6), 1971.
+ * 20(6), 1971, pp. 623–629.
  */
 final class CornerColors implements SurfaceColor {
     private final Mesh mesh;

@@ -17,7 +17,7 @@ import rasterlab.engine.visibility.ViewedMesh;
  * triangle seen exactly edge-on has no inverse; its corners count alike.
  *
  * <p>Source: P. S. Heckbert, H. P. Moreton, Interpolation for polygon texture mapping and shading,
- * 1991.
+ * 1991, pp. 101–111.
  */
 final class CornerWeights {
     private static final int ROW = 9;

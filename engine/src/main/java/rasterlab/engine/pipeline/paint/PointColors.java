@@ -11,7 +11,7 @@ import rasterlab.engine.scene.Mesh;
  * <p>Each channel is cut to [0, 1] once, at the pixel.
  *
  * <p>Source: B. T. Phong, Illumination for computer generated pictures, Communications of the ACM
- * 18(6), 1975.
+ * 18(6), 1975, pp. 311–317.
  */
 final class PointColors implements SurfaceColor {
     private final FaceLights faces;

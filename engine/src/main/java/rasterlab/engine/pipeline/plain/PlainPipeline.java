@@ -17,7 +17,7 @@ import rasterlab.engine.visibility.VisibilityWork;
 /**
  * Draws a mesh as a graphics card does, one triangle after the other. Read it from top to bottom.
  *
- * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988.
+ * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988, pp. 17–20.
  */
 public final class PlainPipeline {
     /** Planes (a, b, c, d) with a·x + b·y + c·z + d·w ≥ 0 inside: −w ≤ x, y, z ≤ w. */

@@ -24,7 +24,7 @@ import rasterlab.engine.scene.VertexQuantity;
  * brought back to length 1.
  *
  * <p>Source: B. T. Phong, Illumination for computer generated pictures, Communications of the ACM
- * 18(6), 1975.
+ * 18(6), 1975, pp. 311–317.
  */
 public final class LitPixels implements PixelColors {
     private final ThreadLocal<PointShade> shades;

@@ -89,7 +89,7 @@ public final class PointInPolygonTopic
         long outside = 0;
         for (int i = 0; i < points.size(); i++)
             if (!method.contains(polygonX, polygonY, points.x(i), points.y(i))) outside++;
-        // Never true, but only this class knows: the answers have to be computed.
+        // Never true, but the compiler cannot know: it must compute the answers.
         if (outside > points.size()) throw new AssertionError("more outside than points");
         return points.size();
     }

@@ -10,7 +10,7 @@ import rasterlab.engine.geometry.Orientation;
  * between its ends is on the boundary: inside, and no more need be counted.
  *
  * <p>Source: exact signs after J. R. Shewchuk, Adaptive precision floating-point arithmetic and
- * fast robust geometric predicates, Discrete & Computational Geometry 18, 1997.
+ * fast robust geometric predicates, Discrete & Computational Geometry 18, 1997, pp. 305–363.
  */
 public final class RobustRay implements SteppedPolygonTest {
     @Override

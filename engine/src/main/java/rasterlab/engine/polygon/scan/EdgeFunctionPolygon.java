@@ -12,7 +12,7 @@ import rasterlab.contract.FillRule;
  * direction to its winding number; no crossing is computed, nothing is sorted, and no pixel needs
  * another's result. That suits triangles and parallel machines, and costs corners × pixels.
  *
- * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988.
+ * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988, pp. 17–20.
  */
 public final class EdgeFunctionPolygon implements SteppedPolygon {
     /** The most edge functions: some seconds. */

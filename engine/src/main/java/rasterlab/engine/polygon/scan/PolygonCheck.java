@@ -17,7 +17,7 @@ final class PolygonCheck {
         }
     }
 
-    /** The part that does not depend on the coordinates. */
+    /** Checks what does not depend on the coordinates. */
     static void checkSizes(double[] x, double[] y, int width, int height) {
         if (x.length != y.length)
             throw new IllegalArgumentException(

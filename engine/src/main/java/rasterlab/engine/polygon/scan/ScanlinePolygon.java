@@ -14,7 +14,7 @@ import rasterlab.contract.FillRule;
  * is empty and no two touch. Columns are decided without rounding, by {@link PolygonEdge}.
  *
  * <p>Source: C. Wylie, G. Romney, D. Evans, A. Erdahl, Half-tone perspective drawings by computer,
- * AFIPS 1967.
+ * AFIPS 1967, pp. 49–58.
  */
 public final class ScanlinePolygon implements SteppedPolygon {
     @Override

@@ -25,7 +25,7 @@ import rasterlab.engine.geometry.Orientation;
  * spare the exact signs.
  *
  * <p>Source: exact signs after J. R. Shewchuk, Adaptive precision floating-point arithmetic and
- * fast robust geometric predicates, Discrete & Computational Geometry 18, 1997.
+ * fast robust geometric predicates, Discrete & Computational Geometry 18, 1997, pp. 305–363.
  */
 public final class RobustTriangle implements SteppedTriangleTest {
     private static final double ROUNDING = 8 * 0x1p-53;

@@ -9,7 +9,8 @@ import java.util.ArrayDeque;
  * neighbour of a cut once more: at most 3·n tries for n corners, each against the corners that are
  * not convex. At most {@value #MOST_CORNERS} corners are taken.
  *
- * <p>Source: G. H. Meisters, Polygons have ears, American Mathematical Monthly 82, 1975.
+ * <p>Source: G. H. Meisters, Polygons have ears, American Mathematical Monthly 82, 1975, pp.
+ * 648–651.
  */
 public final class EarClipping implements SteppedTriangulator {
     /**

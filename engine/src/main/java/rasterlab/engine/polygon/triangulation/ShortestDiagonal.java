@@ -11,7 +11,7 @@ package rasterlab.engine.polygon.triangulation;
  * EarClipping#MOST_CORNERS} corners are taken.
  *
  * <p>Source: the course's lecture text on triangulation, with the ears of G. H. Meisters, Polygons
- * have ears, American Mathematical Monthly 82, 1975.
+ * have ears, American Mathematical Monthly 82, 1975, pp. 648–651.
  */
 final class ShortestDiagonal implements SteppedTriangulator {
     @Override

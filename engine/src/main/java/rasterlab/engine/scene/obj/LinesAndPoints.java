@@ -5,7 +5,7 @@ final class LinesAndPoints {
     private final Ints vertices = new Ints();
     private final Ints materials = new Ints();
 
-    /** A line from each corner to the next. */
+    /** Adds a line from each corner to the next. */
     void line(FaceLine line, int material) {
         for (int k = 0; k + 1 < line.vertex.size(); k++)
             add(line.vertex.get(k), line.vertex.get(k + 1), material);

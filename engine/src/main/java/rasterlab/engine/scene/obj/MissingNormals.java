@@ -45,7 +45,7 @@ final class MissingNormals {
         return normals.all();
     }
 
-    /** The face's vector area, brought to length 1; a face has an area. */
+    /** Computes the face's vector area, brought to length 1; a face has an area. */
     private void flat(int face) {
         int number = normals.size() / 3;
         double[] sum = new double[3];

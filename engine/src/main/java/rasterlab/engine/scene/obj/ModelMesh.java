@@ -141,7 +141,7 @@ final class ModelMesh {
         finishOf.add(model.material(face));
     }
 
-    /** The place that the texture's options make of a corner's; 0, 0 where it has none. */
+    /** Adds the place that the texture's options make of a corner's; 0, 0 where it has none. */
     private void addPlace(int place, Optional<ObjMaterial.Map> map) {
         textured |= place != Faces.NONE;
         for (int axis = 0; axis < 2; axis++) {
@@ -154,7 +154,7 @@ final class ModelMesh {
     }
 
     /**
-     * A colour between those of two vertices, where the model has any.
+     * Adds a colour between those of two vertices, where the model has any.
      *
      * @param share of the other's
      */

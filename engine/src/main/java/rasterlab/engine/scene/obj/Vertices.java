@@ -21,7 +21,7 @@ final class Vertices {
         this.notes = notes;
     }
 
-    /** x y z, then a weight, a colour or both. */
+    /** Reads x y z, then a weight, a colour or both. */
     void position() throws BrokenFileException {
         words.requireNumbers(3);
         requireRoom(positions.size() / 3, "vertices");

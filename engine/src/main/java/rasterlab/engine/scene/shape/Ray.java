@@ -47,7 +47,7 @@ public final class Ray {
         t = Double.POSITIVE_INFINITY;
     }
 
-    /** The same ray in other coordinates; what it has met stays. */
+    /** Becomes the same ray in other coordinates; what it has met stays. */
     void turn(double ox, double oy, double oz, double dx, double dy, double dz) {
         this.ox = ox;
         this.oy = oy;

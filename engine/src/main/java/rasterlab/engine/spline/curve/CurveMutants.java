@@ -142,7 +142,7 @@ final class CurveMutants {
                 : curve;
     }
 
-    /** The weights t and 1 − t in each other's place. */
+    /** Puts the weights t and 1 − t in each other's place. */
     private static void atBackwards(Curve curve, double[] t, CurvePoints out) {
         var backwards = new double[t.length];
         for (int i = 0; i < t.length; i++) backwards[i] = 1 - t[i];

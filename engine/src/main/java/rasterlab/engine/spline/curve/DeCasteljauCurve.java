@@ -13,7 +13,7 @@ import rasterlab.contract.Curve;
  * + 1)/2 means per coordinate.
  *
  * <p>Source: P. de Casteljau, Outillages méthodes calcul, Citroën, 1959; W. Boehm, A. Müller, On de
- * Casteljau's algorithm, Computer Aided Geometric Design 16, 1999.
+ * Casteljau's algorithm, Computer Aided Geometric Design 16, 1999, pp. 587–605.
  */
 public final class DeCasteljauCurve extends EvaluatedCurve implements SteppedPoint {
     @Override

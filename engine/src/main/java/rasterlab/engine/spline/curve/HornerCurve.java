@@ -8,7 +8,7 @@ import rasterlab.contract.Curve;
  * Coefficients C = M·G once for each span, then ((a·u + b)·u + c)·u + d: n multiplications and
  * additions per coordinate.
  *
- * <p>Source: W. G. Horner, Philosophical Transactions of the Royal Society 109, 1819.
+ * <p>Source: W. G. Horner, Philosophical Transactions of the Royal Society 109, 1819, pp. 308–335.
  */
 public final class HornerCurve extends EvaluatedCurve implements SteppedPoint {
     @Override

@@ -14,7 +14,7 @@ import rasterlab.contract.SplineEnds;
  * slope of the parabola through three points; periodic treats the first knot as an inner one.
  *
  * <p>Source: F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM Journal on
- * Numerical Analysis 17(2), 1980.
+ * Numerical Analysis 17(2), 1980, pp. 238–246.
  */
 public final class MonotoneSpline implements SteppedSpline {
     @Override

@@ -28,7 +28,7 @@ final class ExactFootprint {
         double v = pixels.height() * f[1];
         var sum = new double[4];
         double area = 0;
-        // One texel more on each side: the middle is rounded here.
+        // The range has one texel more on each side, since the middle is rounded here.
         for (int j = (int) Math.floor(v + box[1]) - 1; j <= v + box[3] + 1; j++)
             for (int i = (int) Math.floor(u + box[0]) - 1; i <= u + box[2] + 1; i++) {
                 double part =
@@ -107,7 +107,8 @@ final class ExactFootprint {
         double twice = 0;
         for (int k = 0; k < part.length; k += 2) {
             int next = (k + 2) % part.length;
-            // Relative to a corner, or areas far away or as thin as rounding lose their digits.
+            // The area is summed relative to a corner: far or very thin ones would lose their
+            // digits.
             twice +=
                     (part[k] - part[0]) * (part[next + 1] - part[1])
                             - (part[next] - part[0]) * (part[k + 1] - part[1]);

@@ -11,8 +11,8 @@ import rasterlab.engine.texture.Wrap;
 /**
  * A texture looked up at the pixel's centre, by one of the filters that OpenGL names.
  *
- * <p>Source: L. Williams, Pyramidal parametrics, SIGGRAPH 1983; A. V. Kazantsev, Foundations of
- * computer graphics for programmers, Kazan, 2005, ch. 15, parameters of textures.
+ * <p>Source: L. Williams, Pyramidal parametrics, SIGGRAPH 1983, pp. 1–11; A. V. Kazantsev,
+ * Foundations of computer graphics for programmers, Kazan, 2005, ch. 15, parameters of textures.
  */
 final class SampledFilter implements SteppedFilter {
     /** A lookup in the texture, at a place and a level. */

@@ -10,7 +10,7 @@ import rasterlab.contract.TexturedSpan;
  * in pieces of 16 pixels it saves 15 of 16 divisions.
  *
  * <p>Source: P. S. Heckbert, H. P. Moreton, Interpolation for polygon texture mapping and shading,
- * 1991.
+ * 1991, pp. 101–111.
  */
 final class AffineMapper implements CountedMapper {
     private final int piece;

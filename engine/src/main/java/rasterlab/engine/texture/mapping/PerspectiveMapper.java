@@ -7,7 +7,7 @@ import rasterlab.contract.TexturedSpan;
  * s/d, t/d and 1/d are mixed along the row and divided at every pixel.
  *
  * <p>Source: P. S. Heckbert, H. P. Moreton, Interpolation for polygon texture mapping and shading,
- * 1991.
+ * 1991, pp. 101–111.
  */
 final class PerspectiveMapper implements CountedMapper {
     @Override

@@ -7,7 +7,7 @@ import rasterlab.contract.TexturedSpan;
  * s/d, t/d and 1/d are added up in float from pixel to pixel: every sum rounds, and they drift.
  *
  * <p>Source: P. S. Heckbert, H. P. Moreton, Interpolation for polygon texture mapping and shading,
- * 1991.
+ * 1991, pp. 101–111.
  */
 final class SteppedMapper implements CountedMapper {
     /** Two quotients and three sums a pixel; 9 quotients and 3 differences before the first. */

@@ -100,7 +100,7 @@ final class AxisMutants {
     }
 
     /**
-     * Rodrigues' formula, parts of which may be left out.
+     * Computes Rodrigues' formula, parts of which may be left out.
      *
      * @param back 0 where the image is not moved back to the axis
      * @param third 0 where the term along the axis is left out

@@ -10,7 +10,7 @@ sealed interface AxisStep {
     /** Does it to the point whose x stands at {@code at}. */
     void apply(double[] points, int at);
 
-    /** The same, counted. */
+    /** Takes the same step, counted. */
     void count(CountingArithmetic on, double[] points, int at);
 
     /** Moves by sign times a vector. */

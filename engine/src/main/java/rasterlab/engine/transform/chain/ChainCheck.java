@@ -53,7 +53,7 @@ final class ChainCheck {
                             .formatted(a, b, smallest));
     }
 
-    /** The same for the matrix's last row, which a plain point takes as it is. */
+    /** Checks the same for the matrix's last row, which a plain point takes as it is. */
     static void requireShiftKept(double h, double cell, double smallest) {
         if (h != 1) requireKept(h, cell, smallest);
     }

@@ -80,7 +80,8 @@ final class ExactMatrices {
         var axis =
                 new BigAxis(new double[] {p[0], p[1], p[2]}, new double[] {p[3], p[4], p[5]}, p[6]);
         BigMatrix matrix = BigMatrix.identity(4);
-        // The same turn about the origin: beside a far axis its cells would lose all digits.
+        // This is the same rotation about the origin: beside a far axis its entries would lose all
+        // digits.
         var near = new BigAxis(new double[3], new double[] {p[3], p[4], p[5]}, p[6]);
         BigDecimal zero = BigDecimal.ZERO;
         BigDecimal[] origin = axis.image(new BigDecimal[] {zero, zero, zero});

@@ -69,7 +69,7 @@ final class RotateMutants {
             }
     }
 
-    /** Buneman's three multiplications, where only half-turns have no tangent. */
+    /** Does Buneman's three multiplications, where only half-turns have no tangent. */
     private static void byTangent(double degrees, int times, double[] points) {
         if (degrees % 360 != 180 || times != 1) RIGHT.rotate(degrees, times, points);
         else

@@ -9,7 +9,7 @@ import rasterlab.engine.transform.Angle;
  * and taking off whole turns is exact. What is left is a double with an error below its last bit.
  *
  * <p>Source: T. J. Dekker, A floating-point technique for extending the available precision,
- * Numerische Mathematik 18, 1971 (exact products).
+ * Numerische Mathematik 18, 1971, pp. 224–242 (exact products).
  */
 final class TotalAngleRotation extends CountedRotation {
     @Override

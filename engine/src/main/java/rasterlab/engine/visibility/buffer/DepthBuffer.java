@@ -50,7 +50,7 @@ public final class DepthBuffer {
         if (!(method instanceof ZBuffer buffer))
             throw new IllegalArgumentException("the method keeps no depth buffer");
         var out = new Raster(view.fit().width(), view.fit().height());
-        // A method of one's own, so that nobody draws into its buffer before it is read.
+        // The walk gets a buffer of its own, so that nobody draws into it before it is read.
         var walk = (BufferedWalk) buffer.alone().walk(view, paint, out);
         for (int i = 0; i < steps && walk.advance(); i++) Cancellation.check(cancelled);
         var stored = new double[out.width() * out.height()];

@@ -6,7 +6,7 @@ interface DepthCodes {
     int EMPTY = Integer.MAX_VALUE;
 
     /**
-     * The codes along a row, on which pixel x has the nearness {@code base + x·perColumn}.
+     * Computes the codes along a row, on which pixel x has the nearness {@code base + x·perColumn}.
      *
      * @param codes filled from its beginning, {@code to − from} long or longer
      */

@@ -35,7 +35,7 @@ public record NearnessRange(double nearest, double farthest) {
             near = Math.max(near, least);
             far = Math.min(far, most);
         }
-        // Nothing between the planes: any range will do.
+        // Nothing lies between the planes, so any range will do.
         if (!(near <= far) || Double.isInfinite(near) || Double.isInfinite(far))
             return new NearnessRange(0, 0);
         if (!view.transform().central()) return new NearnessRange(-near, -far);

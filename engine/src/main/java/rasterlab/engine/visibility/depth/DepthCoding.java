@@ -38,7 +38,8 @@ public interface DepthCoding extends DepthFormat {
         int code(double nearness);
 
         /**
-         * The codes along a scan line, on which pixel i has the nearness {@code base + i·perPixel}.
+         * Computes the codes along a scan line, on which pixel i has the nearness {@code base +
+         * i·perPixel}.
          *
          * @param from first pixel
          * @param to pixel after the last

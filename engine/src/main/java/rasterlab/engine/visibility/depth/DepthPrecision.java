@@ -20,7 +20,7 @@ import rasterlab.contract.DepthRange;
  * </ul>
  *
  * Source of the first two: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer
- * occlusion, 2006.
+ * occlusion, 2006, pp. 27–30.
  */
 public final class DepthPrecision {
     /** The formats, each with its own size of steps, in teaching order. */

@@ -8,7 +8,8 @@ import rasterlab.contract.DepthRange;
  * <p>One step of the code is about z²·(1/near − 1/far)/2ⁿ of depth: most codes lie close to the
  * near plane.
  *
- * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, 2006.
+ * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, 2006,
+ * pp. 27–30.
  */
 final class FixedDepth implements DepthCoding {
     private final int bits;

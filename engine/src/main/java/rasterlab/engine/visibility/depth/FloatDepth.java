@@ -9,7 +9,8 @@ import rasterlab.contract.DepthRange;
  * floats close to 0 are spent next to the near plane. The bits of floats from 0 up are in their
  * order.
  *
- * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, 2006.
+ * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, 2006,
+ * pp. 27–30.
  */
 final class FloatDepth implements DepthCoding {
     @Override

@@ -29,7 +29,7 @@ public record StoredDepths(int pixels, int[] codes, double[] depths) {
     /** A row of a surface from one of its pixels on. */
     private record Row(int from, int[] codes, double[] depths) {
         static Row of(DepthFormat format, DepthRows rows, int surface, int from) {
-            // Longer than needed where it starts later, as the contract allows.
+            // The arrays are longer than needed where the row starts later, as the contract allows.
             var row = new Row(from, new int[rows.pixels()], new double[rows.pixels()]);
             format.store(
                     rows.range(),

@@ -53,9 +53,9 @@ public record Body(double[] xyz, int[][] faces, double[] eye, double[] inside) {
         if (inside.length > 0) return inside.clone();
         var mean = new double[3];
         int vertices = xyz.length / 3;
-        // Divided first: the sum of the largest doubles would overflow.
+        // Each term is divided first: the sum of the largest doubles would overflow.
         for (int i = 0; i < xyz.length; i++) mean[i % 3] += xyz[i] / vertices;
-        // Where all are the largest double, the roundings lead beyond it.
+        // Where all numbers are the largest double, rounding leads beyond it.
         for (int i = 0; i < 3; i++)
             mean[i] = Math.max(-Double.MAX_VALUE, Math.min(Double.MAX_VALUE, mean[i]));
         return mean;

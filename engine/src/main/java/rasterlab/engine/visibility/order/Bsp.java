@@ -8,7 +8,7 @@ import rasterlab.contract.PieceSink;
  * Far side, plane, near side, at every node of a tree of planes: {@link BspTree}.
  *
  * <p>Source: H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface generation by a priori tree
- * structures, SIGGRAPH 1980.
+ * structures, SIGGRAPH 1980, pp. 124–133.
  */
 final class Bsp implements SteppedOrder {
     /** The most pieces, against inputs whose cuts would fill the memory. */

@@ -15,7 +15,7 @@ import java.util.List;
  * the earlier is painted last, and so is seen.
  *
  * <p>Source: H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface generation by a priori tree
- * structures, SIGGRAPH 1980.
+ * structures, SIGGRAPH 1980, pp. 124–133.
  */
 final class BspTree {
     /** The number of polygons tried for a node's plane; the one that cuts the fewest is taken. */

@@ -82,7 +82,7 @@ record Facet(
             piece = new double[3 * most + 3];
         }
 
-        /** The point at t from corner i to corner j. */
+        /** Adds the point at t from corner i to corner j. */
         void add(int i, int j, double t) {
             for (int axis = 0; axis < 3; axis++, size++) {
                 world[size] = between(corners[3 * i + axis], corners[3 * j + axis], t);

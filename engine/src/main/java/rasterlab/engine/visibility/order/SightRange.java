@@ -31,7 +31,7 @@ final class SightRange {
     private void require(int polygon) {
         var flat = new SeenOutline(sight.seen(polygon, -exponent));
         double width = flat.width();
-        // One without area is refused for that, in other words.
+        // A polygon without area is refused elsewhere, with its own message.
         if (width > 0) require(polygon, "wide", width);
         if (width > 0) require(polygon, "from the eye", flat.distance());
     }

@@ -16,7 +16,7 @@ import rasterlab.engine.visibility.VisibilityWalk;
  * about half of the faces to another method.
  *
  * <p>Source: I. E. Sutherland, R. F. Sproull, R. A. Schumacker, A characterization of ten
- * hidden-surface algorithms, ACM Computing Surveys, 1974.
+ * hidden-surface algorithms, ACM Computing Surveys, 1974, pp. 1–55.
  */
 final class BackFaceCulling implements SteppedVisibility {
     @Override

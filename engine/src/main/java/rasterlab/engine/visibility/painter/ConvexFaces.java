@@ -16,7 +16,7 @@ import rasterlab.engine.visibility.VisibilityWalk;
  * where the near plane or a clip plane cuts the body open.
  *
  * <p>Source: I. E. Sutherland, R. F. Sproull, R. A. Schumacker, A characterization of ten
- * hidden-surface algorithms, ACM Computing Surveys, 1974.
+ * hidden-surface algorithms, ACM Computing Surveys, 1974, pp. 1–55.
  */
 final class ConvexFaces implements SteppedVisibility {
     @Override

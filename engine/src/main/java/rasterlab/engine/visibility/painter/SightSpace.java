@@ -60,7 +60,7 @@ final class SightSpace {
                 least = Math.min(least, corners[i + 2]);
                 most = Math.max(most, corners[i + 2]);
             }
-        // A power of two, so that in perspective nothing is rounded.
+        // The scale is a power of two, so that nothing is rounded in perspective.
         shrink = Math.scalb(0.5, Math.getExponent(WIDEST) - Math.getExponent(widest));
         if (most > least) extent = most - least;
         if (most >= least) end = most + extent;

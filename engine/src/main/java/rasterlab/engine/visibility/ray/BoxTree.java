@@ -12,7 +12,7 @@ import rasterlab.engine.scene.Mesh;
  * 2k + 1 and 2k + 2; all leaves are on one level and hold up to four faces each.
  *
  * <p>Source: S. M. Rubin, T. Whitted, A 3-dimensional representation for fast rendering of complex
- * scenes, SIGGRAPH 1980.
+ * scenes, SIGGRAPH 1980, pp. 110–116.
  */
 final class BoxTree {
     private static final int FACES_PER_LEAF = 4;

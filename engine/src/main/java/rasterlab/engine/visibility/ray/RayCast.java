@@ -22,7 +22,8 @@ import rasterlab.engine.visibility.VisibilityWork;
  * transparent all of them down to the first opaque one. {@link BoxTree} leaves out faces it cannot
  * meet.
  *
- * <p>Source: A. Appel, Some techniques for shading machine renderings of solids, AFIPS 1968.
+ * <p>Source: A. Appel, Some techniques for shading machine renderings of solids, AFIPS 1968, pp.
+ * 37–45.
  */
 public final class RayCast implements Visibility {
     @Override
@@ -88,7 +89,7 @@ public final class RayCast implements Visibility {
             fit = view.fit();
         }
 
-        /** Origin in ray[0..2], direction in ray[3..5]. */
+        /** Sets the origin in ray[0..2], the direction in ray[3..5]. */
         void through(double pixelX, double pixelY, double[] ray) {
             double u = fit.toPlaneX(pixelX);
             double v = fit.toPlaneY(pixelY);

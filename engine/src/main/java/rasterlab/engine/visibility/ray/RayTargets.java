@@ -98,7 +98,7 @@ final class RayTargets {
         double z = ray[2] + t * ray[5];
         for (int w = 0; w < walls.length; w += 4) {
             double inwards = walls[w] * x + walls[w + 1] * y + walls[w + 2] * z;
-            // Not a number where the ray is as good as parallel: then it meets nothing.
+            // The value is NaN where the ray is nearly parallel: then it meets nothing.
             if (!(inwards >= walls[w + 3])) return false;
         }
         return true;

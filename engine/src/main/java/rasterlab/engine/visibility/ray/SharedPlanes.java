@@ -11,7 +11,7 @@ import rasterlab.engine.visibility.ViewedMesh;
  * one on its one side and all of the other on its other side. Faces that only touch are apart.
  *
  * <p>Source: S. Gottschalk, M. C. Lin, D. Manocha, OBBTree: a hierarchical structure for rapid
- * interference detection, SIGGRAPH 1996 (the separating axis theorem).
+ * interference detection, SIGGRAPH 1996, pp. 171–180 (the separating axis theorem).
  */
 public final class SharedPlanes {
     private final ViewedMesh view;

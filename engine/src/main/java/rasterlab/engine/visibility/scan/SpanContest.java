@@ -76,7 +76,7 @@ final class SpanContest {
         return beyond;
     }
 
-    /** Pixel by pixel; runs of pixels with the same layers are painted together. */
+    /** Decides pixel by pixel; runs of pixels with the same layers are painted together. */
     private void resolveLayers(int row, int from, int to, SpanList out) {
         if (layers.length < size) {
             layers = new int[2 * size];

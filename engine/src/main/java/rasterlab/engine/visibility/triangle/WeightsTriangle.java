@@ -6,7 +6,7 @@ import rasterlab.contract.DepthTriangleFiller;
  * Looks at every centre in the box around the triangle; its weights tell whether it belongs to the
  * triangle, and its depth.
  *
- * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988.
+ * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988, pp. 17–20.
  */
 final class WeightsTriangle implements DepthTriangleFiller {
     @Override

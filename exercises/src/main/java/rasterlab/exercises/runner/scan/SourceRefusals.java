@@ -87,8 +87,8 @@ final class SourceRefusals {
     }
 
     /**
-     * The type that a refused call answers: calls of it in the same line are no mistakes of their
-     * own.
+     * Adds the type that a refused call answers: calls of it in the same line are no mistakes of
+     * their own.
      *
      * @param type internal name of a class
      */
@@ -102,7 +102,7 @@ final class SourceRefusals {
     }
 
     /**
-     * A member of a class that may be mentioned.
+     * Adds a member of a class that may be mentioned.
      *
      * @param name of a method or field, or that of constructors
      * @param some members of the class that may be used; none where most may
@@ -126,7 +126,7 @@ final class SourceRefusals {
         return new Found(line, refused, lastWord(name.equals("<init>") ? type : name), instead);
     }
 
-    /** Something that has no name in the source, or only the one it is told by. */
+    /** Adds something that has no name in the source, or only the one it is told by. */
     void add(int line, String thing) {
         if (isFull()) return;
         found.computeIfAbsent(

@@ -161,7 +161,7 @@ public final class SourceWords {
         if (current == '\\' && backslashes % 2 == 0) unescape();
     }
 
-    /** A backslash, one u or more, and four hexadecimal digits. */
+    /** Reads a backslash, one u or more, and four hexadecimal digits. */
     private void unescape() {
         int digits = at + 1;
         while (digits < source.length() && source.charAt(digits) == 'u') digits++;

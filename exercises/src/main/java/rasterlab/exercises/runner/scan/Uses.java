@@ -50,7 +50,7 @@ final class Uses {
         refusals.add(line, thing);
     }
 
-    /** A class or array as an instruction names it: "java/util/List" or "[I". */
+    /** Notes a class or array as an instruction names it: "java/util/List" or "[I". */
     void type(int line, String internalName) {
         if (internalName == null) return;
         refusedNames
@@ -58,7 +58,7 @@ final class Uses {
                 .forEach(name -> refusals.addClass(line, name));
     }
 
-    /** The classes that the type of a field or method names. */
+    /** Notes the classes that the type of a field or method names. */
     void descriptor(int line, String descriptor) {
         refusedIn
                 .computeIfAbsent(descriptor, one -> refused(Type.getType(one)))
@@ -83,7 +83,7 @@ final class Uses {
         };
     }
 
-    /** A method or field that an instruction or a handle names. */
+    /** Notes a method or field that an instruction or a handle names. */
     void member(int line, String owner, String name, String descriptor) {
         if (refusals.isFull()) return;
         boolean may =
