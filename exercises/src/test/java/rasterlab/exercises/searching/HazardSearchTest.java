@@ -46,6 +46,7 @@ class HazardSearchTest {
         "clip-segment, cohen-sutherland-nested-textbook",
         "triangulate, shortest-diagonal-textbook",
         "rotate-axis, seven-steps-textbook",
+        "view, taken-apart-textbook",
         "visible-faces, convex-segment-textbook",
         "color, formula-textbook"
     })

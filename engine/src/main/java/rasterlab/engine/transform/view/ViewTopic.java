@@ -1,5 +1,8 @@
 package rasterlab.engine.transform.view;
 
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -12,12 +15,13 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Slip;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.CountingArithmetic;
 import rasterlab.engine.transform.Images;
 
 /**
- * The view by spherical coordinates, to compare what two ways of computing it cost.
+ * The view by spherical coordinates, to compare what ways of computing it cost.
  *
  * <p>The error is the largest difference of a coordinate over the largest coordinate and ρ; up to
  * 16·2⁻⁵³ counts as exact: seven operations and two sines are rounded.
@@ -28,7 +32,8 @@ public final class ViewTopic implements Topic<EyeView, ViewTask, Images> {
     private static final List<Method<EyeView>> METHODS =
             List.of(
                     Method.right("one-matrix", new OneMatrixView()),
-                    Method.right("taken-apart", new TakenApartView()));
+                    Method.right("taken-apart", new TakenApartView()),
+                    Method.failing("taken-apart-textbook", new TakenApartTextbookView()));
 
     @Override
     public String name() {
@@ -53,19 +58,31 @@ public final class ViewTopic implements Topic<EyeView, ViewTask, Images> {
     @Override
     public List<Hazard<ViewTask>> hazards() {
         return List.of(
-                hazard("pole", 30, 0, 10, 1, 2, 3),
-                hazard("origin", 30, 60, 400, 0, 0, 0),
-                hazard("upwards", 30, 60, 9, 0, 0, 2),
-                hazard("to-the-right", 0, 90, 9, 0, 2, 0),
-                hazard("quarter-turn", 90, 90, 9, 1, 2, 3),
-                hazard("from-below", 0, 120, 9, 1, 2, 3),
-                hazard("at-the-eye", 0, 90, 5, 5, 0, 0),
-                hazard("far-eye", 20, 70, 1e12, 1, 2, 3));
+                hazard(WRONG, "pole", 30, 0, 10, 1, 2, 3),
+                hazard(EXACT, "origin", 30, 60, 400, 0, 0, 0),
+                hazard(WRONG, "upwards", 30, 60, 9, 0, 0, 2),
+                hazard(EXACT, "to-the-right", 0, 90, 9, 0, 2, 0),
+                hazard(WRONG, "quarter-turn", 90, 90, 9, 1, 2, 3),
+                hazard(WRONG, "from-below", 0, 120, 9, 1, 2, 3),
+                hazard(WRONG, "at-the-eye", 0, 90, 5, 5, 0, 0),
+                hazard(WRONG, "far-eye", 20, 70, 1e12, 1, 2, 3));
     }
 
+    /**
+     * @param textbook what the steps as they are printed make of it
+     */
     private static Hazard<ViewTask> hazard(
-            String name, double theta, double phi, double rho, double... points) {
-        return Hazard.allExactBut(Map.of(), METHODS, name, new ViewTask(theta, phi, rho, points));
+            Verdict.Kind textbook,
+            String name,
+            double theta,
+            double phi,
+            double rho,
+            double... points) {
+        return Hazard.allExactBut(
+                Map.of("taken-apart-textbook", textbook),
+                METHODS,
+                name,
+                new ViewTask(theta, phi, rho, points));
     }
 
     @Override

@@ -42,7 +42,7 @@ class ViewCountTest {
     }
 
     @ParameterizedTest(name = "{0} counts other work than it does")
-    @ValueSource(strings = {"one-matrix", "taken-apart"})
+    @ValueSource(strings = {"one-matrix", "taken-apart", "taken-apart-textbook"})
     void countingTwinGivesTheSamePoints(String name) {
         var random = new Random(17);
         var view = (CheckedView) TOPIC.method(name).implementation();
@@ -54,6 +54,19 @@ class ViewCountTest {
             view.count(new CountingArithmetic(), theta, 70, 50, counted);
             assertArrayEquals(points, counted);
         }
+    }
+
+    @Test
+    void lecturePrintedStepsTakeTheOverwrittenY() {
+        var printed = (SteppedView) TOPIC.method("taken-apart-textbook").implementation();
+        double[] point = {1, 2, 3};
+        List<ViewStep> steps = printed.steps(0, 60, 400, 1, 2, 3);
+        printed.view(0, 60, 400, point);
+        for (int i = 0; i < 3; i++) assertEquals(point[i], steps.get(3 + i).value());
+        double overwritten = 3 * Math.sqrt(3) / 2 - 2 * 0.5;
+        assertEquals(overwritten, point[1], 1e-12);
+        assertEquals(400 - overwritten * Math.sqrt(3) / 2 - 3 * 0.5, point[2], 1e-12);
+        assertEquals(count("taken-apart", 1), count("taken-apart-textbook", 1));
     }
 
     private static Map<String, Long> count(String method, int points) {
@@ -85,6 +98,7 @@ class ViewCountTest {
                             random.nextDouble(0.1, 1000),
                             random.doubles(3, -100, 100).toArray());
             for (Method<?> method : TOPIC.methods()) {
+                if (!method.promisesToBeRight()) continue;
                 var view = TOPIC.method(method.name()).implementation();
                 Deviation deviation =
                         TOPIC.compare(look, TOPIC.exact(look, 1), TOPIC.record(view, look, 1));
