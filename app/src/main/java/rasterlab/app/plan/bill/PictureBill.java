@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rasterlab.app.plan.CountedWork;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.plan.Plan;
 import rasterlab.engine.plan.Planner;
@@ -35,6 +36,10 @@ public record PictureBill(CountedWork counted, Plan plan) {
             double milliseconds,
             double share,
             Optional<Long> planned) {
+        public Row {
+            Bounds.require("share", share, 0, 1);
+        }
+
         private boolean isEmpty() {
             return milliseconds == 0 && counted.orElse(0L) + planned.orElse(0L) == 0;
         }
@@ -64,7 +69,7 @@ public record PictureBill(CountedWork counted, Plan plan) {
                                                 stage,
                                                 Optional.ofNullable(here.get(stage)),
                                                 time,
-                                                time / all,
+                                                all > 0 ? time / all : 0,
                                                 Optional.ofNullable(least.get(stage)))));
         rows.removeIf(Row::isEmpty);
         return rows;

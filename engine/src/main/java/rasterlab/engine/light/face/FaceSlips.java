@@ -12,7 +12,7 @@ import rasterlab.engine.study.Slip;
 
 /** Faces lit with something left out, taken for something else or the wrong way round. */
 final class FaceSlips {
-    /** So far that the direction to it is the same from all points. */
+    /** A distance at which the direction to the light is the same from all points. */
     private static final double FAR = 1e60;
 
     private FaceSlips() {}
