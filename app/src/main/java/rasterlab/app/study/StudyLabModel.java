@@ -139,17 +139,17 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         if (chosen.name().equals(state.topic().name())) return;
         cancel();
         publish(first(chosen, state.thorough(), state.view()));
-        bringBack();
+        readLastResult();
     }
 
     /** Keeps the last result of each topic in a folder, and shows those that are there. */
     public void keepIn(Path folder) {
         kept = Optional.of(new KeptStudies(folder.resolve("studies")));
-        bringBack();
+        readLastResult();
     }
 
     /** Reads the last result of the topic that is shown, unless it has one. */
-    private void bringBack() {
+    private void readLastResult() {
         Topic<?, ?, ?> topic = plain(state.topic().name());
         if (kept.isEmpty() || studies.containsKey(topic.name())) return;
         KeptStudies from = kept.get();

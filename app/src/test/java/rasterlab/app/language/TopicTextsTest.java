@@ -41,7 +41,7 @@ class TopicTextsTest {
     /** The texts that any topic may have beside its methods, hazards and workloads. */
     private static final Pattern OTHERS =
             Pattern.compile(
-                    "title|name|unit|item|errors|mode|(field|mutant|property|place|decided|rule|bound|told|complaint)\\..+");
+                    "title|name|unit|item|errors|mode|(field|mutant|slip|property|place|decided|rule|bound|told|complaint)\\..+");
 
     static List<String> topics() {
         return Topics.names();

@@ -12,10 +12,10 @@ import rasterlab.engine.pipeline.direct.DirectLook;
 import rasterlab.engine.pipeline.direct.DirectPicture;
 import rasterlab.engine.pipeline.direct.NumberedFaces;
 import rasterlab.engine.pipeline.fast.TrianglePipeline;
+import rasterlab.engine.pipeline.paint.DepthFade;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.Paints;
 import rasterlab.engine.pipeline.paint.SurfacePicture;
-import rasterlab.engine.pipeline.paint.Veil;
 import rasterlab.engine.pipeline.plain.PlainPipeline;
 import rasterlab.engine.pipeline.wire.WirePicture;
 import rasterlab.engine.pipeline.wire.WireStyle;
@@ -242,7 +242,7 @@ public final class Renderer implements AutoCloseable {
         out.clear(opaque);
         if (!wire)
             return Optional.of(method.draw(view, paint(look, shading, seen), out, cancelled));
-        new WirePicture(view, wire(look), background, veil(look, seen), out)
+        new WirePicture(view, wire(look), background, fade(look, seen), out)
                 .draw(method, cancelled);
         return Optional.empty();
     }
@@ -284,15 +284,15 @@ public final class Renderer implements AutoCloseable {
         return whole ? look.wire().withoutHiding() : look.wire();
     }
 
-    private static Optional<Veil> veil(Look look, RequestView seen) {
+    private static Optional<DepthFade> fade(Look look, RequestView seen) {
         int background = seen.scene().backgroundRgb();
-        return look.cue().map(cue -> new Veil(cue, seen.viewed(), background));
+        return look.cue().map(cue -> new DepthFade(cue, seen.viewed(), background));
     }
 
     /** The colours of the faces that a request shows, with a shading that is not wire or auto. */
     static FacePaint paint(Look look, ShadingMethod shading, RequestView seen) {
         var paints =
-                new Paints(lights(look, seen), look.texture(), veil(look, seen), look.outline());
+                new Paints(lights(look, seen), look.texture(), fade(look, seen), look.outline());
         return switch (shading) {
             case TONE -> paints.tone();
             case FLAT -> paints.flat();

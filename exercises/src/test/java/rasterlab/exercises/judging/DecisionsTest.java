@@ -43,14 +43,14 @@ class DecisionsTest {
             textBlock =
                     """
             line    | 2  | 1  | the right method stands at (1, 0) before: Bresenham's d is 2 there, not below 0, so it steps across, to (2, 1)
-            line    | 3  | 0  | the right method stands at (2, 1) before: Bresenham's d is -4 there, below 0, so it goes straight on, to (3, 1)
+            line    | 3  | 0  | the right method stands at (2, 1) before: Bresenham's d is −4 there, below 0, so it goes straight on, to (3, 1)
             line    | 0  | 0  | the right method begins at the first end, (0, 0)
             line    | 6  | 2  | the right method stops at the second end, (5, 2)
-            circle  | 3  | 9  | in its octant, counted from the centre, d is -5 at (0, 6), below 0, so v stays and (1, 6) is next
+            circle  | 3  | 9  | in its octant, counted from the centre, d is −5 at (0, 6), below 0, so v stays and (1, 6) is next
             circle  | -3 | 6  | in its octant, counted from the centre, d is 3 at (2, 6), not below 0, so v falls and (3, 5) is next
             circle  | 2  | 9  | its octant begins at (0, 6), counted from the centre: v is the radius there
             circle  | 7  | 8  | its octant ends at (4, 4), counted from the centre: all other pixels are mirror images
-            ellipse | -3 | 3  | in its quarter, counted from the centre, (3, 3) is right in its column: F(u, v − ½) is -72 there, below 0, so the row sinks no further
+            ellipse | -3 | 3  | in its quarter, counted from the centre, (3, 3) is right in its column: F(u, v − ½) is −72 there, below 0, so the row sinks no further
             ellipse | 6  | -1 | in its quarter, counted from the centre, (6, 1) is right in its row: F(u + ½, v) is 369 there, not below 0, so the column moves on no further
             fill    | 1  | 1  | row 1 has the seed's character from column 0 to 1: the right method fills this run at once, places waiting on its stack: 1
             fill    | 2  | 1  | (2, 1) has another character than the seed, so the fill ends there
@@ -72,7 +72,7 @@ class DecisionsTest {
             textBlock =
                     """
             point-in-triangle | {"triangle":[[0,0],[6,0],[3,5]],"points":[[3,1],[9,1]]} | {"inside":[true,false]} | 0 | the signs at the sides, from a–b on, are (1, 1, 1): no two are opposite, so it is inside
-            point-in-triangle | {"triangle":[[0,0],[6,0],[3,5]],"points":[[3,1],[9,1]]} | {"inside":[true,false]} | 1 | the signs at the sides, from a–b on, are (1, -1): two are opposite, so it is outside
+            point-in-triangle | {"triangle":[[0,0],[6,0],[3,5]],"points":[[3,1],[9,1]]} | {"inside":[true,false]} | 1 | the signs at the sides, from a–b on, are (1, −1): two are opposite, so it is outside
             point-in-triangle | {"triangle":[[0,0],[6,0],[3,0]],"points":[[9,0]]} | {"inside":[false]} | 0 | the signs at the sides are (0, 0, 0): the corners lie on one line, and the point lies beyond them
             point-in-polygon | {"polygon":[[0,0],[6,0],[3,5]],"points":[[3,1]]} | {"inside":[true]} | 0 | the right method counts crossed edges on one side of the point: 1, an odd number, so it is inside
             point-in-polygon | {"polygon":[[0,0],[6,0],[3,5]],"points":[[3,0]]} | {"inside":[true]} | 0 | it lies on edge 1, and the border belongs to the polygon
@@ -130,8 +130,8 @@ class DecisionsTest {
             delimiter = '|',
             textBlock =
                     """
-            0 | 0 | at (0, 0) triangle 2 has depth 0.25 and 0.5 is stored: the difference -0.25 is below 0, so it is written
-            2 | 0 | at (2, 0) triangle 1 has depth 0.5 and 1 is stored: the difference -0.5 is below 0, so it is written
+            0 | 0 | at (0, 0) triangle 2 has depth 0.25 and 0.5 is stored: the difference −0.25 is below 0, so it is written
+            2 | 0 | at (2, 0) triangle 1 has depth 0.5 and 1 is stored: the difference −0.5 is below 0, so it is written
             2 | 2 | the centre of (2, 2) lies in no triangle; on a right or bottom edge it lies outside
             """)
     void theDepthsAtAPixelAreTold(int x, int y, String told) throws JsonProcessingException {

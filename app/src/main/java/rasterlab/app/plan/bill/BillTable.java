@@ -26,7 +26,7 @@ public final class BillTable extends JTable {
             List.of("stage", "counted", "milliseconds", "share", "plan");
     private static final int NARROW = 100;
     private static final int LONG = 1_000_000;
-    private static final int[] WIDTHS = {100, 66, 44, 50, 66};
+    private static final int[] WIDTHS = {84, 70, 46, 56, 70};
 
     private final transient Texts texts;
     private transient Optional<PictureBill> bill = Optional.empty();

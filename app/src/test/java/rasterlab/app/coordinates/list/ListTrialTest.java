@@ -52,7 +52,9 @@ class ListTrialTest {
                     "transform many-representations", EnumSet.of(POINTS_TOGETHER),
                     "transform stays-at-infinity", EnumSet.of(NO_IMAGE),
                     "transform turn-about-a-far-point", EnumSet.of(POINTS_TOGETHER),
-                    "rotate-axis axis-through-far-point", EnumSet.of(POINTS_TOGETHER));
+                    "rotate-axis axis-through-far-point", EnumSet.of(POINTS_TOGETHER),
+                    "view far-eye", EnumSet.of(POINTS_TOGETHER),
+                    "view pole", EnumSet.of(POINTS_TOGETHER));
 
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

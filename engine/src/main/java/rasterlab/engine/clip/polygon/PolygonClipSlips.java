@@ -12,17 +12,13 @@ final class PolygonClipSlips {
 
     static List<Slip<PolygonClipper>> of(PolygonClipper right) {
         return List.of(
-                Slip.of("first-side-only", clipping(1, true, (a, b, d, e) -> e / (e - d))),
+                Slip.of("first-side-only", clipping(1, true, (d, e) -> e / (e - d))),
                 Slip.of(
                         "cut-from-the-other-end",
-                        clipping(Integer.MAX_VALUE, true, (a, b, d, e) -> d / (d - e))),
-                Slip.of(
-                        "cut-in-the-middle",
-                        clipping(Integer.MAX_VALUE, true, (a, b, d, e) -> 0.5)),
+                        clipping(Integer.MAX_VALUE, true, (d, e) -> d / (d - e))),
+                Slip.of("cut-in-the-middle", clipping(Integer.MAX_VALUE, true, (d, e) -> 0.5)),
                 Slip.of("vertices-only", clipping(Integer.MAX_VALUE, true, null)),
-                Slip.of(
-                        "outside-kept",
-                        clipping(Integer.MAX_VALUE, false, (a, b, d, e) -> e / (e - d))),
+                Slip.of("outside-kept", clipping(Integer.MAX_VALUE, false, (d, e) -> e / (e - d))),
                 Slip.of(
                         "polygon-not-cut",
                         (window, subject, out) ->
@@ -33,7 +29,7 @@ final class PolygonClipSlips {
 
     private interface Share {
         /** The share of the first point in the cut, by how far both are inside. */
-        double of(Point last, Point next, double lastInside, double nextInside);
+        double of(double lastInside, double nextInside);
     }
 
     /**
@@ -67,7 +63,7 @@ final class PolygonClipSlips {
             double d = side(a, b, last);
             double e = side(a, b, next);
             if (d * e < 0 && share != null) {
-                double part = share.of(last, next, d, e);
+                double part = share.of(d, e);
                 left.add(
                         new Point(
                                 part * last.x() + (1 - part) * next.x(),

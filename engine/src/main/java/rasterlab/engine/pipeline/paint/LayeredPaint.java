@@ -10,7 +10,7 @@ final class LayeredPaint implements FacePaint {
     private final CornerWeights weights;
     private final SurfaceColor light;
     private final TextureLayer texture;
-    private final Optional<Veil> veil;
+    private final Optional<DepthFade> fade;
     private final boolean[] opaque;
     private final int[] outlines;
     private final ThreadLocal<PixelRow> rows;
@@ -24,14 +24,14 @@ final class LayeredPaint implements FacePaint {
             CornerWeights weights,
             SurfaceColor light,
             TextureLayer texture,
-            Optional<Veil> veil,
+            Optional<DepthFade> fade,
             boolean[] opaque,
             int[] outlines,
             int width) {
         this.weights = weights;
         this.light = light;
         this.texture = texture;
-        this.veil = veil;
+        this.fade = fade;
         this.opaque = opaque;
         this.outlines = outlines;
         rows = ThreadLocal.withInitial(() -> new PixelRow(width));
@@ -43,14 +43,14 @@ final class LayeredPaint implements FacePaint {
         weights.load(face, y, from, to, row);
         light.light(face, row);
         texture.lay(face, row);
-        if (veil.isPresent()) fade(veil.get(), row);
+        if (fade.isPresent()) fade(fade.get(), row);
         int at = y * out.width() + from;
         if (opaque[face]) System.arraycopy(row.argb, 0, out.argb(), at, row.size);
         else layOver(row, out.argb(), at);
     }
 
-    private static void fade(Veil veil, PixelRow row) {
-        for (int i = 0; i < row.size; i++) row.argb[i] = veil.over(row.argb[i], row.depth[i]);
+    private static void fade(DepthFade fade, PixelRow row) {
+        for (int i = 0; i < row.size; i++) row.argb[i] = fade.over(row.argb[i], row.depth[i]);
     }
 
     private static void layOver(PixelRow row, int[] behind, int at) {

@@ -17,10 +17,11 @@ import rasterlab.engine.visibility.ViewedMesh;
  *
  * @param lights the light on the faces
  * @param filter of their textures
- * @param veil how they fade with depth
+ * @param fade how they fade with depth
  * @param outline whether faces get edges of 0.96 of their colour, or tone, as flat faces
  */
-public record Paints(FaceLights lights, TextureMode filter, Optional<Veil> veil, boolean outline) {
+public record Paints(
+        FaceLights lights, TextureMode filter, Optional<DepthFade> fade, boolean outline) {
 
     /** The vase's own rule. */
     public FacePaint tone() {
@@ -65,7 +66,7 @@ public record Paints(FaceLights lights, TextureMode filter, Optional<Veil> veil,
     }
 
     private FacePaint facewise(int[] fill, int[] edges) {
-        boolean plain = veil.isEmpty();
+        boolean plain = fade.isEmpty();
         for (int f = 0; f < fill.length && plain; f++)
             plain = fill[f] >>> 24 == 255 && (filter == TextureMode.NONE || untextured(f));
         return plain ? new FlatPaint(fill, edges) : layered(new FaceColors(fill), edges);
@@ -83,9 +84,9 @@ public record Paints(FaceLights lights, TextureMode filter, Optional<Veil> veil,
         var opaque = new boolean[mesh.faceCount()];
         for (int f = 0; f < opaque.length; f++) {
             opaque[f] = lights.seenMaterial(f).alpha() == 1 && texture.opaque(f);
-            if (edges.length > 0 && veil.isPresent())
-                edges[f] = veil.get().over(edges[f], FaceMiddle.of(mesh, f, view::eyeZ));
+            if (edges.length > 0 && fade.isPresent())
+                edges[f] = fade.get().over(edges[f], FaceMiddle.of(mesh, f, view::eyeZ));
         }
-        return new LayeredPaint(weights, light, texture, veil, opaque, edges, view.fit().width());
+        return new LayeredPaint(weights, light, texture, fade, opaque, edges, view.fit().width());
     }
 }

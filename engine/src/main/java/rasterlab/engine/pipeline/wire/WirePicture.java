@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
-import rasterlab.engine.pipeline.paint.Veil;
+import rasterlab.engine.pipeline.paint.DepthFade;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.EyeSegment;
@@ -26,19 +26,23 @@ public final class WirePicture {
     private final ViewedMesh view;
     private final WireStyle style;
     private final LineColors ink;
-    private final Optional<Veil> veil;
+    private final Optional<DepthFade> fade;
     private final Raster out;
     private final ScreenEdge screen;
 
     /**
-     * @param veil how lines fade with depth
+     * @param fade how lines fade with depth
      * @param out as large as the view's fit
      */
     public WirePicture(
-            ViewedMesh view, WireStyle style, int backgroundRgb, Optional<Veil> veil, Raster out) {
+            ViewedMesh view,
+            WireStyle style,
+            int backgroundRgb,
+            Optional<DepthFade> fade,
+            Raster out) {
         this.view = view;
         this.style = style;
-        this.veil = veil;
+        this.fade = fade;
         this.out = out;
         ink = LineColors.on(backgroundRgb);
         screen = new ScreenEdge(view);
@@ -94,7 +98,7 @@ public final class WirePicture {
             if (sees(sight, t) != seen || !seen && step / DASH % 2 == 1) continue;
             int argb = seen ? ink.seen() : ink.hidden();
             out.argb()[y * out.width() + x] =
-                    veil.isPresent() ? veil.get().over(argb, depth(t)) : argb;
+                    fade.isPresent() ? fade.get().over(argb, depth(t)) : argb;
         }
     }
 

@@ -3,7 +3,7 @@ package rasterlab.engine.pipeline.paint;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /** A {@link DepthCue} over one view. */
-public final class Veil {
+public final class DepthFade {
     private final int background;
     private final double nearest;
     private final double perUnit;
@@ -11,7 +11,7 @@ public final class Veil {
     /**
      * @param backgroundRgb what everything fades into
      */
-    public Veil(DepthCue cue, ViewedMesh view, int backgroundRgb) {
+    public DepthFade(DepthCue cue, ViewedMesh view, int backgroundRgb) {
         background = backgroundRgb;
         double near = Double.POSITIVE_INFINITY;
         double far = Double.NEGATIVE_INFINITY;
@@ -26,16 +26,16 @@ public final class Veil {
 
     /** A colour 0xAARRGGBB as it is seen from view depth z; its alpha stays. */
     public int over(int argb, double z) {
-        double veiled = Math.max(0, Math.min(1, perUnit * (z - nearest)));
+        double share = Math.max(0, Math.min(1, perUnit * (z - nearest)));
         return argb & 0xFF000000
-                | channel(argb, 16, veiled) << 16
-                | channel(argb, 8, veiled) << 8
-                | channel(argb, 0, veiled);
+                | channel(argb, 16, share) << 16
+                | channel(argb, 8, share) << 8
+                | channel(argb, 0, share);
     }
 
-    private int channel(int argb, int shift, double veiled) {
+    private int channel(int argb, int shift, double share) {
         int own = argb >> shift & 255;
         int behind = background >> shift & 255;
-        return (int) (own + veiled * (behind - own) + 0.5);
+        return (int) (own + share * (behind - own) + 0.5);
     }
 }
