@@ -43,6 +43,19 @@ class KnownChangesTest {
     }
 
     @Test
+    void numbersWithNoMoreDigitsThanAFloatAreFound() throws IOException {
+        String inFloat =
+                "{'shares': [0.10000000149011612, 0.20000000298023224, 0.699999988079071]}";
+        assertEquals(List.of("changed-float"), found("{'shares': [0.1, 0.2, 0.7]}", inFloat));
+    }
+
+    @Test
+    void numbersAboveOneWhereOneIsRightAreFound() throws IOException {
+        String right = "{'shares': [1, 0.5, 0.25]}";
+        assertEquals(List.of("changed-not-cut-at-1"), found(right, "{'shares': [1.5, 0.5, 0.25]}"));
+    }
+
+    @Test
     void twoValuesAreTooFewToTell() throws IOException {
         assertEquals(List.of(), found("{'points': [[1, 2]]}", "{'points': [[2, 1]]}"));
     }
