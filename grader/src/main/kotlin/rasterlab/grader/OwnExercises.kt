@@ -9,13 +9,16 @@ import java.nio.file.Path
  * Tells the person who starts the server about a folder of own exercises: a broken formula or an empty folder stops nothing, but would otherwise be found by a student.
  *
  * @param exercises of the folder
+ * @param replaced names of those that take the place of a built-in one
  */
 internal class OwnExercises(
     private val folder: Path,
     private val exercises: List<Exercise>,
+    private val replaced: List<String>,
 ) {
     /** One line each. */
-    fun told(words: CommandWords): List<String> = listOf(count(words)) + exercises.flatMap { broken(it, words) }
+    fun told(words: CommandWords): List<String> =
+        listOf(count(words)) + places(words) + exercises.flatMap { broken(it, words) }
 
     private fun count(words: CommandWords) =
         if (exercises.isEmpty()) {
@@ -23,6 +26,8 @@ internal class OwnExercises(
         } else {
             words.say("exercises.found", "$folder", "${exercises.size}", exercises.joinToString { it.id() })
         }
+
+    private fun places(words: CommandWords) = replaced.map { words.say("exercises.replaced", it, "$folder") }
 
     private fun broken(
         exercise: Exercise,

@@ -222,7 +222,7 @@ internal class ServeCommand(
             val builtIn = Catalogue.builtIn()
             val more = exercises ?: return builtIn
             val all = builtIn.withFolder(more)
-            OwnExercises(more, all.all().filter { one -> builtIn.all().none { it === one } })
+            OwnExercises(more, all.all().filter { one -> builtIn.all().none { it === one } }, all.replaced())
                 .told(words)
                 .forEach { spec.commandLine().err.println(oneLine(it)) }
             return all

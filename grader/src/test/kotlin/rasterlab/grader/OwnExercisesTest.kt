@@ -16,17 +16,16 @@ class OwnExercisesTest {
     lateinit var folder: Path
 
     private fun told(language: String): List<String> {
-        val own =
-            Catalogue
-                .builtIn()
-                .withFolder(folder)
-                .all()
-                .filter { it.id() == ID }
-        return OwnExercises(folder, own).told(CommandWords.asked("--lang", language))
+        val all = Catalogue.builtIn().withFolder(folder)
+        val own = all.all().filter { it.id() == ID }
+        return OwnExercises(folder, own, all.replaced()).told(CommandWords.asked("--lang", language))
     }
 
-    private fun exercise(statement: String) {
-        val sub = folder.resolve(ID).createDirectory()
+    private fun exercise(
+        statement: String,
+        id: String = ID,
+    ) {
+        val sub = folder.resolve(id).createDirectory()
         for (file in FILES) {
             val source = Catalogue::class.java.getResourceAsStream("/rasterlab/exercises/line-bresenham/$file")!!
             source.use { Files.copy(it, sub.resolve(file)) }
@@ -46,6 +45,12 @@ class OwnExercisesTest {
     fun `what was found is not said, or sound formulas are complained of`() {
         exercise("\$x_0\$\n\n\$\$\ny\n\$\$\n")
         assertEquals(listOf("--exercises $folder: найдено заданий: 1 ($ID)"), told("ru"))
+    }
+
+    @Test
+    fun `a built-in exercise is replaced without a word`() {
+        exercise("sound", "line-bresenham")
+        assertEquals("line-bresenham of $folder takes the place of the built-in exercise", told("en")[1])
     }
 
     @Test

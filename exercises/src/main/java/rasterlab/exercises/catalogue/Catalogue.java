@@ -24,9 +24,11 @@ import rasterlab.exercises.score.Phrase;
  */
 public final class Catalogue {
     private final Map<String, Entry> exercises;
+    private final List<String> replaced;
 
-    private Catalogue(Map<String, Entry> exercises) {
+    private Catalogue(Map<String, Entry> exercises, List<String> replaced) {
         this.exercises = exercises;
+        this.replaced = List.copyOf(replaced);
     }
 
     /** An exercise, which is read when it is asked for first. */
@@ -56,7 +58,7 @@ public final class Catalogue {
     public static Catalogue builtIn() {
         Map<String, Entry> exercises = new LinkedHashMap<>();
         for (String id : builtInIds()) exercises.put(id, new Entry(ExerciseFolder.onClassPath(id)));
-        return new Catalogue(exercises);
+        return new Catalogue(exercises, List.of());
     }
 
     /**
@@ -67,12 +69,19 @@ public final class Catalogue {
      */
     public Catalogue withFolder(Path folder) {
         Map<String, Entry> more = new LinkedHashMap<>(exercises);
+        List<String> taken = new ArrayList<>(replaced);
         for (Path sub : DiskFiles.subFolders(folder)) {
             Entry entry = new Entry(ExerciseFolder.onDisk(sub));
             CapsCheck.check(entry.folder, entry.exercise());
-            more.put(entry.exercise().id(), entry);
+            String id = entry.exercise().id();
+            if (more.put(id, entry) != null) taken.add(id);
         }
-        return new Catalogue(more);
+        return new Catalogue(more, taken);
+    }
+
+    /** The names of built-in exercises whose places those of a folder have taken. */
+    public List<String> replaced() {
+        return replaced;
     }
 
     /**

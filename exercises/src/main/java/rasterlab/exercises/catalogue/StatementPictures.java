@@ -57,12 +57,12 @@ final class StatementPictures {
      */
     Map<String, StatementPicture> read(Map<String, String> statements, Faults faults) {
         Map<String, StatementPicture> pictures = new LinkedHashMap<>();
-        Set<String> seen = new HashSet<>();
         statements.forEach(
                 (language, text) -> {
+                    Set<String> looked = new HashSet<>(pictures.keySet());
                     for (Matcher shown = SHOWN.matcher(text); shown.find(); ) {
                         String name = shown.group(1);
-                        if (seen.add(name))
+                        if (looked.add(name))
                             faults.tried(() -> picture(file(language), name))
                                     .flatMap(one -> one)
                                     .ifPresent(one -> pictures.put(name, one));

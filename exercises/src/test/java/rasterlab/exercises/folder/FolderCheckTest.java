@@ -77,6 +77,20 @@ class FolderCheckTest {
         assertTrue(faults.stream().allMatch(one -> one.contains("my-polygon")), faults.toString());
     }
 
+    @Test
+    @DisplayName("a picture that neither statement can show is told for one of them only")
+    void aMissingPictureIsToldForEachStatement() throws IOException {
+        for (String language : List.of("en", "ru"))
+            Files.writeString(
+                    folder.resolve("statement." + language + ".md"), "\n![window](none.svg)\n");
+        List<String> faults = faults();
+        assertEquals(2, faults.size(), faults.toString());
+        for (String language : List.of("en", "ru"))
+            assertTrue(
+                    faults.stream().anyMatch(one -> one.contains("statement." + language + ".md")),
+                    faults.toString());
+    }
+
     @ParameterizedTest(name = "that {0} is missing is not told")
     @CsvSource({
         "exercise.json",

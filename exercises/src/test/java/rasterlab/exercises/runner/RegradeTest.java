@@ -7,9 +7,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -43,6 +45,7 @@ class RegradeTest {
     }
 
     @Test
+    @Timeout(value = 2, unit = TimeUnit.HOURS)
     void gradingAgainGivesTheSame() throws Exception {
         List<String> differing = new ArrayList<>();
         List<Path> programs = programs();

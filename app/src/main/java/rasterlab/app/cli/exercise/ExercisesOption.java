@@ -24,7 +24,8 @@ public final class ExercisesOption {
     }
 
     /**
-     * The built-in exercises and those of the folder.
+     * The built-in exercises and those of the folder; says which of these take a built-in one's
+     * place.
      *
      * @throws Complaint naming the first fault of the folder
      */
@@ -32,7 +33,9 @@ public final class ExercisesOption {
         Catalogue builtIn = Catalogue.builtIn();
         if (folder == null) return builtIn;
         try {
-            return builtIn.withFolder(folder);
+            Catalogue all = builtIn.withFolder(folder);
+            for (String id : all.replaced()) console.tell("replaced", id, folder);
+            return all;
         } catch (CatalogueException e) {
             throw Complaint.badInput(e.in(console.language().code()));
         }

@@ -14,6 +14,7 @@ import rasterlab.app.cli.console.Failures;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.folder.FolderCheck;
 import rasterlab.exercises.score.Phrase;
 
@@ -53,9 +54,15 @@ final class ExercisesValidateCommand implements Callable<Integer> {
                 console.out().println(Failures.oneLine(fault.in(console.language().code())));
             if (faults.isEmpty())
                 console.out().println(console.language().texts().text("valid", one));
+            tellOfBuiltIn(one.toAbsolutePath().normalize());
             found += faults.size();
         }
         return found == 0 ? ExitCode.DONE : ExitCode.FOUND_WRONG;
+    }
+
+    private void tellOfBuiltIn(Path one) {
+        String id = String.valueOf(one.getFileName());
+        if (Catalogue.builtIn().ids().contains(id)) console.tell("replaced", id, one.getParent());
     }
 
     /** The folder itself, or those in it where it holds no exercise but folders of such. */

@@ -191,6 +191,16 @@ class ExercisesCommandTest {
     }
 
     @Test
+    void whatTakesTheBuiltInOnesPlaceIsNamed() throws IOException {
+        made("circle", "circle");
+        made("circle", "my-circle");
+        String note =
+                "note: exercise circle of " + folder + " takes the place of the built-in one\n";
+        assertEquals(note, Ran.lab("exercises", "list", "--exercises", folder + "").err());
+        assertEquals(note, Ran.lab("exercises", "validate", folder + "").err());
+    }
+
+    @Test
     void aFolderThatCannotBeReadIsNamed() throws IOException {
         Path made = made("circle", "my-circle");
         Files.writeString(made.resolve("cases.json"), "[");
