@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -66,11 +67,19 @@ class GouraudMutantsTest {
 
     private static boolean same(
             Mutant<FaceShader> one, Mutant<FaceShader> other, Hazard<FacePoints> hazard) {
+        FacePoints input = hazard.input();
+        Optional<double[]> first = answer(one, input);
+        Optional<double[]> second = answer(other, input);
+        if (first.isEmpty() || second.isEmpty()) return first.isEmpty() && second.isEmpty();
+        return TOPIC.compare(input, first.get(), second.get()).worst() < 1e-6;
+    }
+
+    /** The shades; empty where the mutant refuses the face. */
+    private static Optional<double[]> answer(Mutant<FaceShader> mutant, FacePoints input) {
         try {
-            FacePoints input = hazard.input();
-            return TOPIC.compare(input, shades(one, input), shades(other, input)).worst() < 1e-6;
+            return Optional.of(shades(mutant, input));
         } catch (IllegalArgumentException refused) {
-            return one == other || one.name().equals(other.name());
+            return Optional.empty();
         }
     }
 
