@@ -2,13 +2,13 @@ package rasterlab.app.course;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Rectangle;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.format.FormatStyle;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,13 +20,13 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
-import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.lab.LargeType;
 import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.canvas.widget.WrappedText;
+import rasterlab.app.course.ChapterTable.Line;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
@@ -40,7 +40,8 @@ import rasterlab.exercises.course.Chapter;
 public final class CourseMapPane extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1L;
 
-    private static final int COLUMNS = 5;
+    /** How many chapters stand side by side in a wide window. */
+    private static final int ABREAST = 3;
 
     /** Whether what is told of an exercise stands below its title, for want of width. */
     private final boolean below = LargeType.now();
@@ -50,7 +51,7 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
     private final transient Consumer<String> openLab;
     private final transient Map<String, Row> rows = new LinkedHashMap<>();
     private final WrappedText source = new WrappedText("map.source");
-    private final JLabel deadlines = new JLabel();
+    private final transient List<JLabel> deadlines = new ArrayList<>();
     private final JButton back;
     private final transient Runnable noStandings;
 
@@ -79,8 +80,8 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         head.add(back);
         head.add(source, "wmin 0");
         add(head, BorderLayout.NORTH);
-        var list = new WideList();
-        if (!below) addHeadings(list);
+        var list = new ChapterTable(below ? 1 : ABREAST);
+        if (!below) for (int i = 0; i < ABREAST; i++) addHeadings(list, i);
         for (Chapter chapter : Chapter.of(exercises)) addChapter(list, chapter);
         var scroll = new JScrollPane(list);
         scroll.setName("map.scroll");
@@ -92,24 +93,26 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         noStandings = standings.listen(this::show);
     }
 
-    private void addHeadings(JPanel list) {
-        list.add(heading("exercise"));
-        list.add(heading("form"));
-        list.add(heading("minutes"));
-        list.add(heading("state"));
-        deadlines.setName("map.heading.deadline");
-        deadlines.putClientProperty(FlatClientProperties.STYLE_CLASS, "small");
-        list.add(deadlines);
+    private void addHeadings(ChapterTable list, int block) {
+        JLabel deadline = heading("deadline", block);
+        deadlines.add(deadline);
+        list.addHeadings(
+                List.of(
+                        heading("exercise", block),
+                        heading("form", block),
+                        heading("minutes", block),
+                        heading("state", block),
+                        deadline));
     }
 
-    private JLabel heading(String key) {
+    private JLabel heading(String key, int block) {
         var label = new JLabel(texts.text("heading." + key));
-        label.setName("map.heading." + key);
+        label.setName("map.heading." + key + (block == 0 ? "" : "." + block));
         label.putClientProperty(FlatClientProperties.STYLE_CLASS, "small");
         return label;
     }
 
-    private void addChapter(JPanel list, Chapter chapter) {
+    private void addChapter(ChapterTable list, Chapter chapter) {
         String language = texts.locale().getLanguage();
         var title = new JLabel(chapter.title(language));
         title.setName("map.topic." + chapter.topic());
@@ -120,17 +123,16 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
                         texts.text("lab", chapter.labTitle(language)),
                         () -> openLab.accept(chapter.topic()));
         lab.setToolTipText(texts.text("lab.hint", chapter.labTitle(language), title.getText()));
+        List<Line> lines = new ArrayList<>();
         if (below) {
-            list.add(title, "newline, span, gaptop 14, wmin 0");
-            list.add(lab, "newline, span, growx 0, wmin 0");
-        } else {
-            list.add(title, "newline, gaptop 14, wmin 0");
-            list.add(lab, "span " + (COLUMNS - 1) + ", gaptop 14, wmin 0");
-        }
-        chapter.exercises().forEach(one -> addExercise(list, one));
+            lines.add(new Line(List.of(title), true));
+            lines.add(new Line(List.of(lab), true));
+        } else lines.add(new Line(List.of(title, lab), true));
+        chapter.exercises().forEach(one -> lines.addAll(lines(one)));
+        list.addChapter(lines);
     }
 
-    private void addExercise(JPanel list, Exercise exercise) {
+    private List<Line> lines(Exercise exercise) {
         JButton title =
                 button(
                         "map.exercise." + exercise.id(),
@@ -141,23 +143,15 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         var row = new Row(title, new JLabel(), new JLabel());
         row.state.setName("map.state." + exercise.id());
         row.deadline.setName("map.deadline." + exercise.id());
-        List<JLabel> told =
-                List.of(
-                        new JLabel(texts.text("form." + exercise.form().code())),
-                        new JLabel(minutes(exercise)),
-                        row.state,
-                        row.deadline);
-        if (below) {
-            list.add(title, "newline, span, gapleft 10, wmin 0");
-            var line = new JPanel(FlowRows.inTheMiddle(16));
-            told.forEach(line::add);
-            FlowRows.keepWrapped(line);
-            list.add(line, "newline, span, gapleft 16, wmin 0");
-        } else {
-            list.add(title, "newline, gapleft 10, wmin 0");
-            told.forEach(label -> list.add(label, "wmin 0"));
-        }
         rows.put(exercise.id(), row);
+        var form = new JLabel(texts.text("form." + exercise.form().code()));
+        var minutes = new JLabel(minutes(exercise));
+        if (!below)
+            return List.of(new Line(List.of(title, form, minutes, row.state, row.deadline), false));
+        var told = new JPanel(FlowRows.inTheMiddle(16));
+        List.of(form, minutes, row.state, row.deadline).forEach(told::add);
+        FlowRows.keepWrapped(told);
+        return List.of(new Line(List.of(title), false), new Line(List.of(told), false));
     }
 
     private String minutes(Exercise exercise) {
@@ -185,7 +179,8 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
             row.title.getAccessibleContext().setAccessibleDescription(row.state.getText());
             timed |= standing.deadline().isPresent();
         }
-        deadlines.setText(timed ? texts.text("heading.deadline") : "");
+        String heading = timed ? texts.text("heading.deadline") : "";
+        deadlines.forEach(each -> each.setText(heading));
     }
 
     private String state(Standing standing) {
@@ -228,44 +223,5 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
     @Override
     public void close() {
         noStandings.run();
-    }
-
-    /**
-     * Fits the width that there is: a long title is shortened, nothing is to be scrolled sideways.
-     */
-    private static final class WideList extends JPanel implements Scrollable {
-        private static final long serialVersionUID = 1L;
-
-        WideList() {
-            super(
-                    new MigLayout(
-                            "insets 4 10 12 16, gap 16 1, wrap " + COLUMNS,
-                            LargeType.now() ? "[grow,fill][][][][]" : "[fill][][][][grow]"));
-        }
-
-        @Override
-        public Dimension getPreferredScrollableViewportSize() {
-            return getPreferredSize();
-        }
-
-        @Override
-        public int getScrollableUnitIncrement(Rectangle seen, int orientation, int direction) {
-            return 24;
-        }
-
-        @Override
-        public int getScrollableBlockIncrement(Rectangle seen, int orientation, int direction) {
-            return seen.height;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return true;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportHeight() {
-            return false;
-        }
     }
 }

@@ -88,10 +88,39 @@ class CourseMapPaneTest {
             EventQueue.invokeAndWait(
                     () ->
                             Parts.of(pane[0])
+                                    .filter(Component::isVisible)
                                     .filter(each -> each.getWidth() < wanted(each))
                                     .map(CourseMapPaneTest::textOf)
                                     .forEach(cut::add));
             assertEquals(List.of(), cut);
+        }
+    }
+
+    @ParameterizedTest(name = "of {0} pixels, chapters fill {1} columns or leave the order")
+    @CsvSource({"1000, 1", "1580, 2", "2540, 3"})
+    void chaptersStandSideBySideInTheCoursesOrder(int width, int abreast) throws Exception {
+        var pane = new CourseMapPane[1];
+        try (var standings = standings()) {
+            EventQueue.invokeAndWait(
+                    () -> {
+                        LabTheme.LIGHT.install(100);
+                        pane[0] = pane(standings, Language.ENGLISH);
+                    });
+            OffscreenPainter.paint(pane[0], width, 800);
+            EventQueue.invokeAndWait(
+                    () -> {
+                        List<Component> titles =
+                                Chapter.of(ALL).stream()
+                                        .map(one -> named(pane[0], "map.topic." + one.topic()))
+                                        .toList();
+                        for (int i = 1; i < titles.size(); i++) {
+                            boolean begins = i % abreast == 0;
+                            Component before = titles.get(i - (begins ? abreast : 1));
+                            Component next = titles.get(i);
+                            assertEquals(begins, next.getX() == before.getX(), next.getName());
+                            assertEquals(!begins, next.getY() == before.getY(), next.getName());
+                        }
+                    });
         }
     }
 
