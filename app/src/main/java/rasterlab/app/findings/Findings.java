@@ -1,7 +1,6 @@
 package rasterlab.app.findings;
 
 import java.awt.Color;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
@@ -12,6 +11,7 @@ import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import rasterlab.app.chart.ChartLook;
+import rasterlab.app.findings.FoundContents.Found;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -35,7 +35,7 @@ public final class Findings {
     private static final ChartLook DARK =
             new ChartLook(new Color(0x16, 0x19, 0x1f), new Color(0xe6, 0xe9, 0xee));
 
-    private static final String CHARTS = "charts";
+    static final String CHARTS = "charts";
     private static final String DATA = "data";
 
     private final Path folder;
@@ -47,12 +47,10 @@ public final class Findings {
     private final Consumer<String> progress;
     private final BooleanSupplier stopped;
 
-    /** The finding about a topic: its first sentence, or why there is none. */
-    private record Found(boolean whole, String sentence) {}
-
     /**
      * @param folder where everything goes; files of other names are left alone
-     * @param pace the option of {@code ./lab study} that stands for the settings; may be empty
+     * @param pace the options of {@code ./lab study} that stand for the settings but the seed, each
+     *     behind a space; may be empty
      * @param progress told about each topic in one line
      * @param stopped asked before each piece of work; what was found till then is written
      */
@@ -88,29 +86,48 @@ public final class Findings {
             progress.accept(texts.text("measuring", topic.name()));
             found.put(topic, found(topic));
         }
-        writeContents(found);
-        writeCourse(found);
+        new FoundContents(folder, shared(), texts, called)
+                .write(found, command("study --all" + paced() + " --out findings"));
         return found.values().stream().allMatch(Found::whole);
     }
 
     /** The page of contents. */
     public Path index() {
-        return folder.resolve("index.html");
+        return FoundContents.index(folder);
+    }
+
+    /** What pages that stand beside each other have in common. */
+    private String shared() {
+        return settings + ", " + language + ", " + StudyFile.machine();
+    }
+
+    /** The options that repeat these settings. */
+    private String paced() {
+        return pace + " --seed " + settings.seed();
+    }
+
+    /** A command that says in this language what stands here. */
+    private String command(String words) {
+        boolean english = language == Language.ENGLISH;
+        return "./lab " + (english ? "" : "--lang " + texts.locale().getLanguage() + " ") + words;
     }
 
     private Found found(Topic<?, ?, ?> topic) {
-        if (stopped.getAsBoolean()) return new Found(false, texts.text("notMeasured"));
+        if (stopped.getAsBoolean()) return Found.none(texts.text("notMeasured"));
         try {
             Study study = StudyRunner.measure(topic, settings, step -> {}, stopped);
-            if (study.measurements().isEmpty()) return new Found(false, texts.text("notMeasured"));
+            if (study.measurements().isEmpty()) return Found.none(texts.text("notMeasured"));
             HazardMatrix hazards = HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT);
             List<String> said = new FoundWords(topic, study, hazards, language).sentences();
             writeData(study);
             writeTopic(topic, study, hazards, said);
-            return new Found(study.isWhole(), said.get(0));
+            String first = said.get(0);
+            return study.isWhole()
+                    ? new Found(true, true, first)
+                    : new Found(false, true, first + " " + texts.text("cut"));
         } catch (RuntimeException | LinkageError e) {
             String reason = e.getMessage() == null ? e.toString() : e.getMessage();
-            return new Found(false, texts.text("failed", Complaints.said(language, reason)));
+            return Found.none(texts.text("failed", Complaints.said(language, reason)));
         }
     }
 
@@ -132,26 +149,35 @@ public final class Findings {
 
     private void writeTopic(
             Topic<?, ?, ?> topic, Study study, HazardMatrix hazards, List<String> said) {
-        var page = new FoundPage(called.topic(topic.name()), texts);
+        Circumstances how = study.circumstances().orElseThrow();
+        var origin = new PageOrigin(shared(), begun(how));
+        var page = new FoundPage(FoundWords.capital(called.topic(topic.name())), texts, origin);
         page.link("index.html", texts.text("contents"), "");
         said.forEach(page::paragraph);
         if (!study.isWhole()) page.warning(texts.text("cut"));
         for (StudyPlot plot :
                 List.of(StudyPlot.FRONT, StudyPlot.COST_GROWTH, StudyPlot.ERROR_GROWTH)) {
             String name = CHARTS + "/" + topic.name() + "-" + plot.code();
+            page.begin("shown");
             page.chart(name, texts.text("chart." + plot.code()), name + ".svg");
             page.command(
-                    "./lab study %s%s --seed %d --chart %s --out %s.svg"
-                            .formatted(
-                                    topic.name(), pace, settings.seed(), plot.code(), plot.code()));
+                    command(
+                            "study %s%s --chart %s --out %s.svg"
+                                    .formatted(topic.name(), paced(), plot.code(), plot.code())));
+            page.end();
         }
         page.heading(texts.text("hazards")).paragraph(texts.text("hazards.meaning"));
         page.table(heads(hazards), rows(topic, hazards));
-        page.command("./lab hazards " + topic.name());
-        page.heading(texts.text("how")).paragraph(how(study.circumstances().orElseThrow(), study));
+        page.command(command("hazards " + topic.name()));
+        page.heading(texts.text("how")).paragraph(how(how, study));
         page.link(DATA + "/" + topic.name() + ".json", "JSON", texts.text("data.json"));
         page.link(DATA + "/" + topic.name() + ".csv", "CSV", texts.text("data.csv"));
-        WholeFile.write(folder.resolve(topic.name() + ".html"), page.html());
+        WholeFile.write(FoundContents.page(folder, topic), page.html());
+    }
+
+    private static String begun(Circumstances how) {
+        return DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
+                .format(how.begun().atZone(ZoneOffset.UTC));
     }
 
     private static List<String> heads(HazardMatrix hazards) {
@@ -179,46 +205,10 @@ public final class Findings {
         double noise = how.fixed().keySet().stream().mapToDouble(study::noise).max().orElse(1);
         return texts.text(
                 "how.measured",
-                DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
-                        .format(how.begun().atZone(ZoneOffset.UTC)),
+                begun(how),
                 StudyFile.machine(),
                 String.format(texts.locale(), "%.1f", Math.max(0, how.loadBefore())),
                 String.format(texts.locale(), "%.1f", 100 * (noise - 1)),
                 how.settings().seed());
-    }
-
-    private void writeContents(Map<Topic<?, ?, ?>, Found> found) {
-        var page = new FoundPage(texts.text("title"), texts);
-        page.paragraph(texts.text("introduction"));
-        page.link("course.html", texts.text("course"), texts.text("course.meaning"));
-        found.forEach(
-                (topic, one) -> {
-                    String name = called.topic(topic.name());
-                    if (hasPage(topic)) page.link(topic.name() + ".html", name, one.sentence());
-                    else page.warning(name + ": " + one.sentence());
-                });
-        page.heading(texts.text("again"));
-        page.command(
-                "./lab study --all%s --seed %d --out findings".formatted(pace, settings.seed()));
-        WholeFile.write(index(), page.html());
-    }
-
-    private void writeCourse(Map<Topic<?, ?, ?>, Found> found) {
-        var page = new FoundPage(texts.text("course"), texts);
-        page.link("index.html", texts.text("contents"), "");
-        page.paragraph(texts.text("course.meaning"));
-        page.begin("small gallery");
-        for (Topic<?, ?, ?> topic : found.keySet())
-            if (hasPage(topic))
-                page.chart(
-                        CHARTS + "/" + topic.name() + "-front",
-                        called.topic(topic.name()),
-                        topic.name() + ".html");
-        page.end();
-        WholeFile.write(folder.resolve("course.html"), page.html());
-    }
-
-    private boolean hasPage(Topic<?, ?, ?> topic) {
-        return Files.exists(folder.resolve(topic.name() + ".html"));
     }
 }

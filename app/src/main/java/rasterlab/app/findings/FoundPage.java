@@ -5,18 +5,33 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.regex.Pattern;
 import rasterlab.app.language.Texts;
 import rasterlab.app.tour.Html;
 
 /** A page of findings as it grows; it prints, and follows the reader's light or dark. */
 final class FoundPage {
+    /** A space between a number and the word that it counts, where a line must not break. */
+    private static final Pattern COUNTED = Pattern.compile("(?<=[\\d%]) (?=\\p{L})|(?<=:) (?=\\d)");
+
     private final String title;
     private final Texts texts;
+    private final String head;
     private final StringBuilder body = new StringBuilder();
 
     FoundPage(String title, Texts texts) {
+        this(title, texts, "");
+    }
+
+    /** A page that tells later runs of which run it is. */
+    FoundPage(String title, Texts texts, PageOrigin origin) {
+        this(title, texts, origin.html());
+    }
+
+    private FoundPage(String title, Texts texts, String head) {
         this.title = title;
         this.texts = texts;
+        this.head = head;
     }
 
     FoundPage heading(String words) {
@@ -25,12 +40,12 @@ final class FoundPage {
     }
 
     FoundPage paragraph(String words) {
-        body.append("<p>").append(Html.escaped(words)).append("</p>\n");
+        body.append("<p>").append(typed(words)).append("</p>\n");
         return this;
     }
 
     FoundPage warning(String words) {
-        body.append("<p class=\"failure\">").append(Html.escaped(words)).append("</p>\n");
+        body.append("<p class=\"failure\">").append(typed(words)).append("</p>\n");
         return this;
     }
 
@@ -44,10 +59,32 @@ final class FoundPage {
         return this;
     }
 
+    /**
+     * A link with a line about what is there.
+     *
+     * @param behind may be empty
+     */
     FoundPage link(String file, String words, String behind) {
         body.append(
-                "<p><a href=\"%s\">%s</a> %s</p>\n"
-                        .formatted(file, Html.escaped(words), Html.escaped(behind)));
+                "<p><a href=\"%s\">%s</a>%s</p>\n"
+                        .formatted(
+                                file, typed(words), behind.isEmpty() ? "" : ": " + typed(behind)));
+        return this;
+    }
+
+    /**
+     * An entry of the contents.
+     *
+     * @param file may be empty: there is no such page, and the sentence says why
+     */
+    FoundPage entry(String file, String name, String sentence) {
+        boolean linked = !file.isEmpty();
+        String words = typed(name);
+        body.append("<section><h3>")
+                .append(linked ? "<a href=\"%s\">%s</a>".formatted(file, words) : words)
+                .append(linked ? "</h3><p>" : "</h3><p class=\"failure\">")
+                .append(typed(sentence))
+                .append("</p></section>\n");
         return this;
     }
 
@@ -75,9 +112,12 @@ final class FoundPage {
                 <img src="%s.svg" alt="%s"></picture></a>
                 <figcaption>%s</figcaption></figure>
                 """
-                        .formatted(
-                                leads, name, name, Html.escaped(caption), Html.escaped(caption)));
+                        .formatted(leads, name, name, Html.escaped(caption), typed(caption)));
         return this;
+    }
+
+    private static String typed(String words) {
+        return COUNTED.matcher(Html.escaped(words)).replaceAll("\u00a0");
     }
 
     byte[] html() {
@@ -87,7 +127,7 @@ final class FoundPage {
         <head>
         <meta charset="utf-8">
         <meta name="viewport" content="width=device-width, initial-scale=1">
-        <title>%s</title>
+        %s<title>%s</title>
         <style>
         %s</style>
         </head>
@@ -100,6 +140,7 @@ final class FoundPage {
         """
                 .formatted(
                         texts.locale().getLanguage(),
+                        head,
                         Html.escaped(title),
                         Html.style() + style(),
                         Html.escaped(title),

@@ -2,7 +2,9 @@ package rasterlab.app.findings;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -53,11 +55,18 @@ final class FoundWords {
         return said;
     }
 
+    /** A name as it stands at the beginning of a line. */
+    static String capital(String name) {
+        int first = name.isEmpty() ? 0 : Character.charCount(name.codePointAt(0));
+        return name.substring(0, first).toUpperCase(Locale.ROOT) + name.substring(first);
+    }
+
     /** The quickest exact method of each workload, as far as it is told apart from the next. */
     private String whoWins() {
-        var winners = new ArrayList<String>();
+        var winners = new LinkedHashMap<String, List<String>>();
         var open = new ArrayList<String>();
-        for (Ranking ranking : Ranking.all(study)) {
+        List<Ranking> rankings = Ranking.all(study);
+        for (Ranking ranking : rankings) {
             List<Integer> exact =
                     IntStream.range(0, ranking.places().size())
                             .filter(i -> ParetoFront.error(ranking.places().get(i)) == 0)
@@ -70,16 +79,32 @@ final class FoundWords {
                     exact.size() == 1
                             || ranking.compared(exact.get(0), exact.get(1)).order()
                                     == PaceComparison.Order.FASTER;
-            if (told) winners.add(texts.text("wins.at", first, load));
+            if (told) winners.computeIfAbsent(first, name -> new ArrayList<>()).add(load);
             else open.add(load);
         }
-        String wins =
-                winners.isEmpty()
-                        ? texts.text("wins.none")
-                        : texts.text("wins", String.join("; ", winners));
-        return open.isEmpty()
-                ? wins
-                : wins + " " + texts.text("wins.open", String.join("; ", open));
+        if (winners.isEmpty() && open.isEmpty()) return texts.text("wins.none");
+        if (open.size() == rankings.size()) return texts.text("wins.openAll");
+        var said = new ArrayList<String>();
+        if (!winners.isEmpty())
+            said.add(
+                    texts.text(
+                            "wins",
+                            winners.entrySet().stream()
+                                    .map(
+                                            one ->
+                                                    texts.text(
+                                                            "wins.at",
+                                                            one.getKey(),
+                                                            String.join("; ", one.getValue())))
+                                    .collect(Collectors.joining("; "))));
+        if (!open.isEmpty())
+            said.add(withOneStop(texts.text("wins.open", String.join("; ", open))));
+        return String.join(" ", said);
+    }
+
+    /** The sentence with one full stop where it ends in an abbreviation. */
+    private static String withOneStop(String sentence) {
+        return sentence.replaceFirst("\\.\\.$", ".");
     }
 
     /** The price of the quickest exact method beside the quickest of all. */

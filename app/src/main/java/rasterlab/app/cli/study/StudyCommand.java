@@ -1,5 +1,6 @@
 package rasterlab.app.cli.study;
 
+import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -163,7 +164,7 @@ public final class StudyCommand implements Callable<Integer> {
                     new Findings(
                             files.get(0),
                             settings(),
-                            quick ? " --quick" : "",
+                            pace(quick, rounds, seconds),
                             console.language().inWindow(),
                             console.err()::println,
                             stop::isMade);
@@ -171,6 +172,19 @@ public final class StudyCommand implements Callable<Integer> {
             console.tell("wrote", findings.index().toString());
             return whole ? ExitCode.DONE : ExitCode.FOUND_WRONG;
         }
+    }
+
+    /** The options that ask for such settings, each behind a space. */
+    static String pace(boolean quick, Optional<Integer> rounds, Optional<Double> seconds) {
+        return (quick ? " --quick" : "")
+                + rounds.map(number -> " --rounds " + number).orElse("")
+                + seconds.map(
+                                number ->
+                                        " --seconds "
+                                                + BigDecimal.valueOf(number)
+                                                        .stripTrailingZeros()
+                                                        .toPlainString())
+                        .orElse("");
     }
 
     private StudySettings settings() {

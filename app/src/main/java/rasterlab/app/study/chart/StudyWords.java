@@ -155,7 +155,9 @@ public final class StudyWords {
                         study.measurements().stream()
                                 .filter(one -> one.workload().equals(workload))
                                 .toList());
-        var notes = new ArrayList<>(LeftOutNote.of(level, this).lines());
+        var notes = new ArrayList<String>();
+        String leftOut = String.join(" ", LeftOutNote.of(level, this).lines());
+        if (!leftOut.isEmpty()) notes.add(leftOut + ".");
         notes.add(texts.text("front.note"));
         measuredOn(study).ifPresent(notes::add);
         return String.join(" ", notes);

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -285,6 +286,17 @@ class StudyCommandTest {
                                 + " error-growth, error-by-input");
         Ran.lab("study", "line", "--cost", "money")
                 .assertComplains(2, "./lab study: --cost must be time or operations, got 'money'");
+    }
+
+    @Test
+    @DisplayName("pages of findings name a command with other settings than their own")
+    void pagesRepeatAllSettings() {
+        assertEquals("", StudyCommand.pace(false, Optional.empty(), Optional.empty()));
+        assertEquals(
+                " --quick --rounds 5 --seconds 0.5",
+                StudyCommand.pace(true, Optional.of(5), Optional.of(0.5)));
+        assertEquals(
+                " --seconds 100", StudyCommand.pace(false, Optional.empty(), Optional.of(100.0)));
     }
 
     @Test
