@@ -4,6 +4,8 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
@@ -21,8 +23,13 @@ import rasterlab.engine.sight.cost.PictureWork;
  */
 public record CountedWork(PictureWork work, Map<String, Double> milliseconds, String origin) {
 
-    /** Counts a picture of faces; empty for edges, surfaces, two eyes and methods without costs. */
-    public static Optional<CountedWork> of(RenderRequest request) {
+    /**
+     * Counts a picture of faces; empty for edges, surfaces, two eyes and methods without costs.
+     *
+     * @param cancelled asked often
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    public static Optional<CountedWork> of(RenderRequest request, BooleanSupplier cancelled) {
         boolean faces =
                 request.look().shading() != ShadingMethod.WIRE
                         && request.look().stereo().isEmpty()
@@ -32,7 +39,7 @@ public record CountedWork(PictureWork work, Map<String, Double> milliseconds, St
         if (!faces) return Optional.empty();
         Optional<Family> family = Family.measured(Renderer.visibility(request).chosen());
         if (family.isEmpty()) return Optional.empty();
-        PictureWork work = WorkCount.of(request);
+        PictureWork work = WorkCount.of(request, cancelled);
         Costs costs = Costs.measured();
         return Optional.of(new CountedWork(work, costs.stages(family.get(), work), costs.origin()));
     }

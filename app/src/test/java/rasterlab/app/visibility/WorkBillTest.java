@@ -2,10 +2,12 @@ package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -17,6 +19,7 @@ import rasterlab.app.plan.bill.BillTable;
 import rasterlab.app.plan.bill.PictureBill;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.WorkCount;
 
 @Timeout(120)
@@ -50,7 +53,7 @@ class WorkBillTest {
     void workIsOfTheShownPicture() {
         for (String method : List.of("zfloat", "painter")) {
             RenderRequest request = shown(method);
-            assertEquals(WorkCount.of(request), bill().counted().work(), method);
+            assertEquals(WorkCount.of(request, () -> false), bill().counted().work(), method);
             assertTrue(model.bills().current(), method);
         }
     }
@@ -80,6 +83,15 @@ class WorkBillTest {
         assertTrue(model.bills().current());
         assertEquals(
                 model.state().choice().camera(), bill().plan().full().camera(), "of another view");
+    }
+
+    @Test
+    @DisplayName("a picture that nobody waits for any more is counted to its end")
+    void countingStopsWhenItIsCancelled() {
+        RenderRequest request = shown("zfloat");
+        assertThrows(
+                CancellationException.class,
+                () -> PictureBill.of(request, new Planner(), () -> true));
     }
 
     @Test

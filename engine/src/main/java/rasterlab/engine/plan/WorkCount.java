@@ -1,6 +1,8 @@
 package rasterlab.engine.plan;
 
 import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.RequestView;
@@ -12,6 +14,7 @@ import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.sight.cost.Family;
 import rasterlab.engine.sight.cost.PictureWork;
+import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.NearnessPlane;
 import rasterlab.engine.visibility.ScreenPolygon;
 import rasterlab.engine.visibility.ViewedMesh;
@@ -25,6 +28,7 @@ import rasterlab.engine.visibility.ViewedMesh;
  */
 public final class WorkCount {
     private final RenderRequest request;
+    private final BooleanSupplier cancelled;
     private final ViewedMesh view;
     private final Mesh mesh;
     private final boolean[] drawn;
@@ -41,8 +45,9 @@ public final class WorkCount {
     private long pixelLights;
     private long texels;
 
-    private WorkCount(RenderRequest request, String method) {
+    private WorkCount(RenderRequest request, String method, BooleanSupplier cancelled) {
         this.request = request;
+        this.cancelled = cancelled;
         RequestView seen = RequestView.of(request, request.width());
         view = seen.viewed();
         scene = seen.scene();
@@ -71,10 +76,16 @@ public final class WorkCount {
         Arrays.fill(nearest, Float.NEGATIVE_INFINITY);
     }
 
-    /** The work of a request's faces; edges, surfaces and second eyes are not counted. */
-    public static PictureWork of(RenderRequest request) {
+    /**
+     * The work of a request's faces; edges, surfaces and second eyes are not counted.
+     *
+     * @param cancelled asked at each face, and at each row of one
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    public static PictureWork of(RenderRequest request, BooleanSupplier cancelled) {
+        Cancellation.check(cancelled);
         String method = Renderer.visibility(request).chosen();
-        var count = new WorkCount(request, method);
+        var count = new WorkCount(request, method, cancelled);
         for (int f = 0; f < count.drawn.length; f++) if (count.drawn[f]) count.add(f);
         long n = count.mesh.faceCount();
         long pairs = method.equals("convex") ? 4 * n * n : 0;
@@ -91,6 +102,7 @@ public final class WorkCount {
     }
 
     private void add(int face) {
+        Cancellation.check(cancelled);
         faces++;
         if (!atPixels[face]) lights += perCorner ? mesh.cornerCount(face) : 1;
         for (int k = 0; k < mesh.cornerCount(face); k++) {
@@ -108,6 +120,7 @@ public final class WorkCount {
                 request.width(),
                 request.height(),
                 (y, from, to) -> {
+                    Cancellation.check(cancelled);
                     fragments += to - from;
                     long seen = paintsAll ? to - from : nearer(plane, y, from, to);
                     if (atPixels[face]) pixelLights += seen;

@@ -17,6 +17,7 @@ import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.FileLevels;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.plan.CountedWork;
 import rasterlab.engine.pipeline.DrawnDepths;
 import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -164,7 +165,17 @@ public final class RenderCommand implements Callable<Integer> {
         if (out != null) WholeFile.write(out, PngFile.bytes(picture.image()));
         Optional<ShadingErrors> shadings =
                 errors ? Optional.of(ShadingErrors.of(request, progress)) : Optional.empty();
-        new RenderReport(request, plan, milliseconds, work, out, other, difference, shadings)
+        Optional<CountedWork> counted = CountedWork.of(request, progress);
+        new RenderReport(
+                        request,
+                        plan,
+                        milliseconds,
+                        work,
+                        counted,
+                        out,
+                        other,
+                        difference,
+                        shadings)
                 .write(console.out());
         return ExitCode.DONE;
     }

@@ -28,6 +28,7 @@ import rasterlab.engine.visibility.VisibilityWork;
  * @param plan by which it was drawn, if a tolerance was given
  * @param milliseconds wall time of the rendering alone
  * @param work what the visibility method counted
+ * @param counted the picture's work, stage by stage, where it is counted
  * @param out where the picture was written; null if it was not
  * @param other what it was compared with; null if with nothing
  * @param errors of the cheaper shadings, if asked for
@@ -37,6 +38,7 @@ record RenderReport(
         Optional<Plan> plan,
         double milliseconds,
         Optional<VisibilityWork> work,
+        Optional<CountedWork> counted,
         Path out,
         Path other,
         Optional<PictureDifference> difference,
@@ -50,7 +52,6 @@ record RenderReport(
             writeRequest(json);
             json.writeNumberField("milliseconds", milliseconds);
             if (work.isPresent()) writeWork(json, work.get());
-            Optional<CountedWork> counted = CountedWork.of(request);
             if (counted.isPresent()) counted.get().write(json);
             if (plan.isPresent()) PlanReport.writePlan(json, plan.get());
             if (out != null) json.writeStringField("out", out.toString());

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import rasterlab.app.plan.CountedWork;
 import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -45,10 +47,16 @@ public record PictureBill(CountedWork counted, Plan plan) {
         }
     }
 
-    /** Counts a picture and plans its view; empty where the method has no prices, or refuses. */
-    public static Optional<PictureBill> of(RenderRequest request, Planner planner) {
+    /**
+     * Counts a picture and plans its view; empty where the method has no prices, or refuses.
+     *
+     * @param cancelled asked often while it counts
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    public static Optional<PictureBill> of(
+            RenderRequest request, Planner planner, BooleanSupplier cancelled) {
         try {
-            return CountedWork.of(request)
+            return CountedWork.of(request, cancelled)
                     .map(work -> new PictureBill(work, planner.plan(request, USUAL)));
         } catch (IllegalArgumentException refused) {
             return Optional.empty();

@@ -29,7 +29,7 @@ public final class PictureBills implements AutoCloseable {
         work =
                 new LatestOnly<>(
                         "bill",
-                        (request, cancelled) -> PictureBill.of(request, planner),
+                        (request, cancelled) -> PictureBill.of(request, planner, cancelled),
                         (request, found) -> events.execute(() -> accept(request, found)),
                         onFailure);
     }
