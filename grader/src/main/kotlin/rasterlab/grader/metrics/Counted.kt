@@ -1,6 +1,8 @@
 package rasterlab.grader.metrics
 
 import org.jdbi.v3.core.Handle
+import java.time.Duration
+import java.time.Instant
 
 /** The numbers of a course that its database has. */
 internal class Counted(
@@ -9,15 +11,27 @@ internal class Counted(
     val oldestSeconds: Long,
 ) {
     companion object {
-        fun of(handle: Handle): Counted {
-            val oldest =
-                """SELECT 'age', coalesce(max(unixepoch() - unixepoch(received_at)), 0)
-                   FROM submissions WHERE state = 'queued'"""
-            return Counted(
+        fun of(
+            handle: Handle,
+            now: Instant,
+        ): Counted =
+            Counted(
                 handle.numbers("SELECT state, count(*) FROM submissions GROUP BY state"),
                 handle.numbers("SELECT verdict, count(*) FROM results GROUP BY verdict"),
-                handle.numbers(oldest).values.single(),
+                waited(handle, now),
             )
+
+        /** How many seconds the oldest of what waits has waited. */
+        private fun waited(
+            handle: Handle,
+            now: Instant,
+        ): Long {
+            val since =
+                handle
+                    .createQuery("SELECT min(received_at) FROM submissions WHERE state = 'queued'")
+                    .mapTo(String::class.java)
+                    .one()
+            return if (since == null) 0 else Duration.between(Instant.parse(since), now).seconds
         }
 
         private fun Handle.numbers(sql: String): Map<String, Long> =

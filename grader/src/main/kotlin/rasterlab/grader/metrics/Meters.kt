@@ -88,7 +88,7 @@ class Meters(
 
     /** All meters as they stand now. */
     fun text(): String {
-        counted = database.read { Counted.of(it) }
+        counted = database.read { Counted.of(it, clock.instant()) }
         return registry.scrape()
     }
 

@@ -26,7 +26,7 @@ fun Route.monitoring(
     get("/healthz") { call.respondText("ok\n") }
     get("/readyz") {
         if (!database.hasRoom()) throw Rejection.NoRoom()
-        database.write { it.execute("UPDATE secrets SET name = name WHERE 0") }
+        database.write { it.execute("UPDATE secrets SET name = name WHERE 1 = 0") }
         call.respondText(ready(isolation, call.language()))
     }
     get("/metrics") { call.respondText(meters.text(), PROMETHEUS_TEXT) }
