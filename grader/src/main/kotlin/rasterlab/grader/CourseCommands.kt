@@ -30,7 +30,7 @@ import java.util.concurrent.Callable
 @Command(
     name = "course",
     mixinStandardHelpOptions = true,
-    description = ["Lists courses, takes rosters and writes marks."],
+    description = ["Lists courses, takes rosters, sets rules and writes marks."],
 )
 internal class CourseCommand(
     private val words: CommandWords,
@@ -59,6 +59,25 @@ internal class CourseOptions {
         openDatabase(DataFolder.databaseOf(of.data, of.db)).use { work(it, Courses(it, InstantSource.system())) }
 
     fun unknown() = CannotStart(Reason.NO_COURSE, course)
+}
+
+/** The exercises of a server. */
+internal class CatalogueOptions {
+    @Option(
+        names = ["--exercises"],
+        paramLabel = "DIR",
+        descriptionKey = "course.exercises",
+        description = ["Folder of more exercises, as serve has it."],
+    )
+    var exercises: Path? = null
+
+    fun read(): Catalogue =
+        try {
+            val builtIn = Catalogue.builtIn()
+            exercises?.let(builtIn::withFolder) ?: builtIn
+        } catch (failure: CatalogueException) {
+            throw CannotStart(Reason.EXERCISES, failure)
+        }
 }
 
 @Command(
@@ -160,28 +179,15 @@ internal class CourseGradesCommand : Callable<Int> {
     )
     var reader = GradesReader.PEOPLE
 
-    @Option(
-        names = ["--exercises"],
-        paramLabel = "DIR",
-        descriptionKey = "course.exercises",
-        description = ["Folder of more exercises, as serve has it."],
-    )
-    var exercises: Path? = null
+    @Mixin
+    lateinit var catalogue: CatalogueOptions
 
     override fun call(): Int =
         options.open { database, courses ->
             courses.find(options.course) ?: throw options.unknown()
-            val grades = Grades(courses, Marks(database), Exercises(catalogue().all()) { _, _ -> null })
+            val grades = Grades(courses, Marks(database), Exercises(catalogue.read().all()) { _, _ -> null })
             spec.commandLine().out.print(grades.of(options.course, reader, "en"))
             spec.commandLine().out.flush()
             0
-        }
-
-    private fun catalogue(): Catalogue =
-        try {
-            val builtIn = Catalogue.builtIn()
-            exercises?.let(builtIn::withFolder) ?: builtIn
-        } catch (failure: CatalogueException) {
-            throw CannotStart(Reason.EXERCISES, failure)
         }
 }

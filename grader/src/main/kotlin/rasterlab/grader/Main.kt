@@ -10,6 +10,7 @@ import picocli.CommandLine.Spec
 import rasterlab.engine.ProductVersion
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.CannotStart
+import rasterlab.grader.storage.CannotStart.Reason
 import java.io.OutputStreamWriter
 import java.io.PrintStream
 import java.io.PrintWriter
@@ -74,6 +75,8 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
                 CommandLine(CourseCommand(words))
                     .addSubcommand(CourseListCommand())
                     .addSubcommand(CourseRosterCommand(words))
+                    .addSubcommand(CourseRulesCommand())
+                    .addSubcommand(CourseExtendCommand())
                     .addSubcommand(CourseGradesCommand()),
             ).addSubcommand(HelpCommand())
     return words
@@ -87,9 +90,24 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
         .setExecutionExceptionHandler { failure, command, _ ->
             val log = logOnlyToFile(failure)
             when (failure) {
-                is CannotStart -> refuse(command, failure.said(words.language))
-                is Rejection.BadRoster -> refuse(command, failure.said(words.language))
-                else -> giveUp(command, words, failure, log)
+                is CannotStart -> {
+                    refuse(command, failure.said(words.language))
+                }
+
+                is Rejection.Explained -> {
+                    refuse(command, failure.said(words.language))
+                }
+
+                is Rejection.UnknownStudent -> {
+                    refuse(
+                        command,
+                        CannotStart(Reason.NO_STUDENT, failure.id).said(words.language),
+                    )
+                }
+
+                else -> {
+                    giveUp(command, words, failure, log)
+                }
             }
         }
 }

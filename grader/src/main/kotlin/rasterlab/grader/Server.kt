@@ -22,11 +22,9 @@ import rasterlab.exercises.Grading
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
-import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.RosterImport
 import rasterlab.grader.course.byToken
 import rasterlab.grader.course.courses
-import rasterlab.grader.course.deadlines
 import rasterlab.grader.course.joining
 import rasterlab.grader.course.roster
 import rasterlab.grader.exercise.Exercises
@@ -42,8 +40,11 @@ import rasterlab.grader.report.Grades
 import rasterlab.grader.report.Results
 import rasterlab.grader.report.grades
 import rasterlab.grader.report.results
+import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.rules.exerciseRules
 import rasterlab.grader.storage.Database
 import rasterlab.grader.submission.Attempts
+import rasterlab.grader.submission.Choices
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.IntakeLimits
@@ -98,14 +99,15 @@ class Server(
 ) : AutoCloseable {
     val accounts = Accounts(database, clock)
     private val courses = Courses(database, clock)
-    private val deadlines = Deadlines(database)
+    private val rules = CourseRules(database, clock)
     private val roster = RosterImport(database, clock)
     private val grades = Grades(courses, Marks(database), exercises)
     private val live = Live()
     private val submissions = Submissions(database)
     private val reports = Reports(database)
-    private val results = Results(submissions, reports, live, exercises, deadlines, clock)
+    private val results = Results(submissions, reports, live, exercises, rules, clock)
     private val intake = Intake(database, settings.intake, clock)
+    private val choices = Choices(database)
     private val sheets = Sheets(database)
     private val hints = Hints(database, clock)
     private val steady = SteadyClock(clock)
@@ -118,12 +120,13 @@ class Server(
         PageParts(
             accounts,
             courses,
-            deadlines,
+            rules,
             exercises,
             sheets,
             hints,
             submissions,
             intake,
+            choices,
             queue,
             results,
             live,
@@ -163,10 +166,10 @@ class Server(
                     courses(courses, accounts)
                     roster(courses, roster)
                     grades(grades)
-                    exercises(exercises, sheets::starter, deadlines::of, submissions::bestsOf)
-                    deadlines(deadlines) { exercises.named(it) }
+                    exercises(exercises, sheets::starter, rules::of, submissions::standingOf)
+                    exerciseRules(courses, rules, exercises.all.map { it.id() }) { exercises.named(it) }
                     hints(exercises, hints, courses)
-                    submissions(exercises, intake, queue)
+                    submissions(exercises, intake, queue, choices)
                     results(results, live)
                 }
             }

@@ -56,6 +56,8 @@ class RussianCommandTest {
             "course --help",
             "course list --help",
             "course roster --help",
+            "course rules --help",
+            "course extend --help",
             "course grades --help",
         ],
     )
@@ -184,7 +186,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)",
+                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

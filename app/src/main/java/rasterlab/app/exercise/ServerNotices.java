@@ -69,6 +69,8 @@ final class ServerNotices {
 
     private static Notice refused(String address, ServerRefusal refusal) {
         if (refusal.code().equals(CourseServer.LATE)) return Notice.of(CourseServer.LATE);
+        if (refusal.code().startsWith(CourseServer.LATE))
+            return Notice.of(CourseServer.LATE + ".said", refusal.getMessage());
         return switch (refusal.status()) {
             case UNAUTHORIZED -> Notice.of("server.token", address);
             case TOO_MANY -> Notice.of("server.tooMany", refusal.getMessage());

@@ -4,7 +4,6 @@ import org.jdbi.v3.core.Handle
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Secrets
-import rasterlab.grader.storage.text
 import java.time.InstantSource
 
 /** @param token that lets the student in, told this once; null in a preview */
@@ -57,7 +56,8 @@ class RosterImport(
         if (dry) return database.read { plan(it, course, rows).change(null) }
         return database.write { handle ->
             val change = plan(handle, course, rows).change(StudentRows(handle, course.id, clock.instant()))
-            audit(handle, course, by, change)
+            val detail = "added ${change.added.size}, corrected ${change.corrected.size}"
+            AuditNote(by, course.id, "roster", subject = "", detail).write(handle, clock.instant())
             change
         }
     }
@@ -135,23 +135,5 @@ class RosterImport(
             students.note(student, row.fields)
             return RosterAddition(student, row.name.text, token)
         }
-    }
-
-    private fun audit(
-        handle: Handle,
-        course: Course,
-        by: String,
-        change: RosterChange,
-    ) {
-        handle
-            .createUpdate(
-                """INSERT INTO audit (id, noted_at, account_id, course_id, action, subject, detail)
-                   VALUES (:id, :now, :by, :course, 'roster', '', :detail)""",
-            ).bind("id", Secrets.newId())
-            .bind("now", clock.instant().text())
-            .bind("by", by)
-            .bind("course", course.id)
-            .bind("detail", "added ${change.added.size}, corrected ${change.corrected.size}")
-            .execute()
     }
 }

@@ -16,8 +16,8 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.text
-import java.time.Instant
 
 @Serializable
 private data class ExerciseView(
@@ -27,11 +27,23 @@ private data class ExerciseView(
     val title: String,
     val revision: String,
     val points: PlanView,
+    val opens: String?,
     val deadline: String?,
     val attemptsLeft: Int?,
     val minutes: Int?,
     val state: String?,
     val best: Int?,
+)
+
+/**
+ * How far a student has come.
+ *
+ * @param bests the most points, by exercise; null as long as nothing is graded
+ * @param attempts made, by exercise
+ */
+class StudentStanding(
+    val bests: Map<String, Int?>,
+    val attempts: Map<String, Int>,
 )
 
 @Serializable
@@ -47,24 +59,23 @@ private data class PlanView(
  * long as nobody limits them.
  *
  * @param starter what somebody begins an exercise with
- * @param deadlines until when somebody is to hand in, by exercise
- * @param bests what somebody has earned at most, by exercise, null as long as nothing is graded; null for whoever
- * hands nothing in
+ * @param rules that hold for somebody, by exercise
+ * @param standing how far somebody has come; null for whoever hands nothing in
  */
 fun Route.exercises(
     exercises: Exercises,
     starter: (Identity, Exercise) -> String,
-    deadlines: (Identity) -> Map<String, Instant>,
-    bests: (Identity) -> Map<String, Int?>?,
+    rules: (Identity) -> Map<String, ExerciseRules>,
+    standing: (Identity) -> StudentStanding?,
 ) {
     get("/exercises") {
-        val earned = bests(call.identity())
-        val due = deadlines(call.identity())
-        call.respondJson(exercises.all.map { it.view(call.language(), due, earned) })
+        val held = rules(call.identity())
+        val come = standing(call.identity())
+        call.respondJson(exercises.all.map { it.view(call.language(), held, come) })
     }
     get("/exercises/{id}") {
         val exercise = exercises.named(call.exerciseId())
-        call.respondJson(exercise.view(call.language(), deadlines(call.identity()), bests(call.identity())))
+        call.respondJson(exercise.view(call.language(), rules(call.identity()), standing(call.identity())))
     }
     get("/exercises/{id}/starter") {
         val exercise = exercises.named(call.exerciseId())
@@ -113,8 +124,8 @@ private fun ApplicationCall.exerciseId() = parameters.getOrFail("id")
 
 private fun Exercise.view(
     language: String,
-    deadlines: Map<String, Instant>,
-    bests: Map<String, Int?>?,
+    rules: Map<String, ExerciseRules>,
+    standing: StudentStanding?,
 ) = ExerciseView(
     id(),
     topic(),
@@ -122,11 +133,12 @@ private fun Exercise.view(
     title(language),
     revision(),
     PlanView(points().accuracy(), points().stability(), points().speed(), points().total()),
-    deadline = deadlines[id()]?.text(),
-    attemptsLeft = null,
+    opens = rules[id()]?.opens?.text(),
+    deadline = rules[id()]?.due?.text(),
+    attemptsLeft = rules[id()]?.attempts?.let { maxOf(0, it - (standing?.attempts?.get(id()) ?: 0)) },
     minutes = if (minutes().isPresent) minutes().asInt else null,
-    state = bests?.let { stateOf(id(), it) },
-    best = bests?.get(id()),
+    state = standing?.let { stateOf(id(), it.bests) },
+    best = standing?.bests?.get(id()),
 )
 
 private fun stateOf(

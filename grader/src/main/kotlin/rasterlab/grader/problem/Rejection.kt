@@ -69,7 +69,7 @@ sealed class Rejection(
     ) : Rejection("no course with the code '$code'", "unknown-course")
 
     class UnknownStudent(
-        id: String,
+        val id: String,
     ) : Rejection("no student '$id'", "unknown-student")
 
     class Malformed(
@@ -98,34 +98,62 @@ sealed class Rejection(
     class EmptySource :
         Rejection("the source is empty; it is the whole body, or the field 'source' of a form", "empty-source")
 
-    class BadDeadline(
-        told: String,
-    ) : Rejection(
-            "deadline must be a moment in UTC such as 2027-03-01T20:00:00Z, or \"\" for none; it is '$told'",
-            "bad-deadline",
-        )
-
     /**
-     * A roster that cannot be read, or not without a doubt; nothing is stored.
+     * Something of an instructor's that cannot be taken; its words stand in a file for each language.
      *
+     * @param words name of the file
      * @param fault key of the words
      */
-    class BadRoster(
+    sealed class Explained(
+        private val words: String,
         private val fault: String,
-        private vararg val values: Any,
-    ) : Rejection(said(fault, Locale.ENGLISH, values), "bad-roster") {
+        private val values: Array<out Any>,
+        code: String,
+    ) : Rejection(explained(words, fault, Locale.ENGLISH, values), code) {
         override fun details(language: String) = listOf(said(Locale.forLanguageTag(language)))
 
-        fun said(language: Locale): String = said(fault, language, values)
+        fun said(language: Locale): String = explained(words, fault, language, values)
 
         private companion object {
-            fun said(
+            fun explained(
+                words: String,
                 fault: String,
                 language: Locale,
                 values: Array<out Any>,
-            ) = Wording("rasterlab.grader.problem.roster", language).say(fault, *values)
+            ) = Wording("rasterlab.grader.problem.$words", language).say(fault, *values)
         }
     }
+
+    /** A roster that cannot be read, or not without a doubt; nothing is stored. */
+    class BadRoster(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("roster", fault, values, "bad-roster")
+
+    /** A rule of an exercise that cannot hold; nothing is stored. */
+    class BadRule(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("rules", fault, values, if ("deadline" in values) "bad-deadline" else "bad-rule")
+
+    /** Work came before the exercise opens. */
+    class NotOpen(
+        exercise: String,
+        opens: Instant,
+        now: Instant,
+    ) : Rejection("the exercise '$exercise' opens at $opens, and it is $now", "not-open")
+
+    /** @param limit how many submissions the course allows */
+    class NoAttemptsLeft(
+        exercise: String,
+        limit: Int,
+    ) : Rejection("all $limit attempts at '$exercise' that the course allows are used", "no-attempts-left")
+
+    /** @param policy what counts instead */
+    class NothingToChoose(
+        exercise: String,
+        policy: String,
+    ) : Rejection("the $policy attempt at '$exercise' counts, so there is nothing to choose", "nothing-to-choose")
 
     /** @param likely encoding of the source */
     class NotUtf8(
@@ -163,14 +191,37 @@ sealed class Rejection(
         count: Int,
     ) : Rejection("$count fields of the form cannot be read as answers", "bad-answers")
 
-    /** Work came after the deadline, from somebody who was not told so or did not agree. */
+    /**
+     * Work came after the deadline, from somebody who was not told so or did not agree.
+     *
+     * @param what becomes of it
+     */
     class Late(
         due: Instant,
+        what: Lateness,
     ) : Rejection(
-            "the deadline was $due; a late submission is graded like any other, costs no points and is marked as " +
-                "late: hand it in again with ?late=accept if you want that",
-            "late",
+            "the deadline was $due; ${what.words}: hand it in again with ?late=accept if you want that",
+            what.code,
         )
+
+    /** Tells what becomes of late work. */
+    sealed class Lateness(
+        val words: String,
+        val code: String,
+    ) {
+        class Marked :
+            Lateness("a late submission is graded like any other, costs no points and is marked as late", "late")
+
+        class TakesDay(
+            day: Int,
+            of: Int,
+            closes: Instant,
+        ) : Lateness("until $closes a submission takes late day $day of $of, counts and is marked as late", "late-day")
+
+        class Practice(
+            closed: Instant,
+        ) : Lateness("since $closed a submission is practice, which is graded and does not count", "late-practice")
+    }
 
     /** @param steps how many the exercise has */
     class NoMoreHints(
@@ -239,9 +290,9 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
-        is Rejection.BadSheet, is Rejection.BadAnswers -> UnprocessableEntity
-        is Rejection.BadDeadline, is Rejection.BadRoster -> UnprocessableEntity
+        is Rejection.BadSheet, is Rejection.BadAnswers, is Rejection.Explained -> UnprocessableEntity
         is Rejection.NoMoreHints, is Rejection.HintOrder, is Rejection.Late -> Conflict
+        is Rejection.NotOpen, is Rejection.NoAttemptsLeft, is Rejection.NothingToChoose -> Conflict
         is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge
         is Rejection.WrongMediaType, is Rejection.Kotlin -> UnsupportedMediaType

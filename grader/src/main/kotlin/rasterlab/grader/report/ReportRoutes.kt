@@ -15,7 +15,6 @@ import rasterlab.exercises.published.PublishedSpeed
 import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.topic.CaseRules
-import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.exercise.Exercises
@@ -23,6 +22,7 @@ import rasterlab.grader.exercise.language
 import rasterlab.grader.exercise.pictureLanguage
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submission
@@ -39,7 +39,7 @@ class Results(
     private val reports: Reports,
     private val live: Live,
     private val exercises: Exercises,
-    private val deadlines: Deadlines,
+    private val rules: CourseRules,
     private val clock: InstantSource,
 ) {
     private val reasons = Reasons()
@@ -74,7 +74,8 @@ class Results(
 
     private fun due(submission: Submission) =
         Due.of(
-            deadlines.of(submission.student, submission.exercise),
+            rules.of(submission.student, submission.exercise),
+            rules.shows(submission.student, submission.exercise),
             submission,
             clock.instant(),
         )

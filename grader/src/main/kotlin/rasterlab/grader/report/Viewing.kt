@@ -7,6 +7,7 @@ package rasterlab.grader.report
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
+import kotlinx.serialization.Transient
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 import kotlinx.serialization.json.Json
@@ -21,6 +22,7 @@ import rasterlab.exercises.score.Report
 import rasterlab.exercises.score.SpeedFigures
 import rasterlab.exercises.topic.CaseRules.CaseRule
 import rasterlab.grader.course.Identity
+import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Recorded
 import rasterlab.grader.submission.State
@@ -32,7 +34,8 @@ import kotlin.jvm.optionals.getOrNull
  * @param revision of the exercise that it was or will be graded against
  * @param current whether that is the exercise as it is now
  * @param late whether it was handed in after the deadline
- * @param opened whether the deadline has passed, so that hidden cases answer with everything
+ * @param opened whether nobody in the course can hand in for points any more, so that hidden cases answer in full
+ * @param opensLater whether that is so at another moment than the deadline
  */
 @Serializable
 data class SubmissionView(
@@ -60,6 +63,7 @@ data class SubmissionView(
     val deadline: String?,
     val late: Boolean,
     val opened: Boolean,
+    @Transient val opensLater: Boolean = false,
 )
 
 /** @param current whether that revision is the exercise as it is now */
@@ -73,23 +77,32 @@ class GradedAgainst(
  *
  * @param at the deadline, or null where there is none
  * @param late whether it was handed in after it, and after the one that held then
- * @param passed whether it has passed by now, so that hidden cases answer with everything
+ * @param passed whether nobody in the course can hand in for points any more, so that hidden cases answer in full
+ * @param opensLater whether they do so at another moment than the deadline
  */
 class Due(
     val at: Instant?,
     val late: Boolean,
     val passed: Boolean,
+    val opensLater: Boolean,
 ) {
     companion object {
-        /** A submission of the exact moment is in time. */
+        /**
+         * A submission of the exact moment is in time.
+         *
+         * @param rules that hold for the student
+         * @param shows the moment after which hidden cases answer with everything; null for never
+         */
         fun of(
-            at: Instant?,
+            rules: ExerciseRules,
+            shows: Instant?,
             submission: Submission,
             now: Instant,
         ) = Due(
-            at,
-            late = listOf(at, submission.dueAt).all { it != null && submission.receivedAt > it },
-            passed = at != null && now > at,
+            rules.due,
+            late = listOf(rules.due, submission.dueAt).all { it != null && submission.receivedAt > it },
+            passed = shows != null && now > shows,
+            opensLater = shows != rules.due,
         )
     }
 }
@@ -171,6 +184,7 @@ fun Submission.view(
         due.at?.text(),
         due.late,
         due.passed,
+        due.opensLater,
     )
 }
 

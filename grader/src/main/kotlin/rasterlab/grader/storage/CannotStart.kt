@@ -44,6 +44,7 @@ class CannotStart(
         NO_INSTRUCTOR("no.instructor"),
         NO_STUDENT("no.student"),
         NO_COURSE("no.course"),
+        NO_EXERCISE("no.exercise"),
         ROSTER_FILE("roster.file"),
         PROXY("proxy"),
         CONFIG_NONE("config.none"),

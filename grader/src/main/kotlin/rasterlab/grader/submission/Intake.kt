@@ -3,9 +3,10 @@ package rasterlab.grader.submission
 import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.statement.Query
 import rasterlab.exercises.Exercise
-import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.rules.Arrival
+import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.Secrets
@@ -56,7 +57,7 @@ class Intake(
         return database.write { handle ->
             val id =
                 request.made(handle) ?: run {
-                    if (!late) requireInTime(handle, student, exercise)
+                    requireTaken(handle, student, exercise, late)
                     insert(handle, student, exercise, source, handedSeed)
                         .also { request.remember(handle, it, clock.instant()) }
                 }
@@ -65,14 +66,28 @@ class Intake(
         }
     }
 
-    private fun requireInTime(
+    /** Practice is free: it uses up no attempt, and none has to be left. */
+    private fun requireTaken(
         handle: Handle,
         student: Identity.Student,
         exercise: Exercise,
+        late: Boolean,
     ) {
-        val due = Deadlines.of(handle, student.id, exercise.id()) ?: return
-        if (clock.instant() > due) throw Rejection.Late(due)
+        val rules = CourseRules.of(handle, student.id, exercise.id())
+        val now = clock.instant()
+        rules.opens?.let { if (now < it) throw Rejection.NotOpen(exercise.id(), it, now) }
+        val counts = rules.arrival(now) != Arrival.PRACTICE
+        rules.attempts?.takeIf { counts && made(handle, student, exercise) >= it }?.let {
+            throw Rejection.NoAttemptsLeft(exercise.id(), it)
+        }
+        if (!late) rules.lateness(now)?.let { throw Rejection.Late(checkNotNull(rules.due), it) }
     }
+
+    private fun made(
+        handle: Handle,
+        student: Identity.Student,
+        exercise: Exercise,
+    ) = count(student, handle.createQuery("$COUNT AND exercise = :exercise").bind("exercise", exercise.id()))
 
     private fun insert(
         handle: Handle,
@@ -98,7 +113,7 @@ class Intake(
             .bind("source", source)
             .bind("seed", handedSeed ?: Secrets.newSeed())
             .bind("now", clock.instant().text())
-            .bind("due", Deadlines.of(handle, student.id, exercise.id())?.text())
+            .bind("due", CourseRules.of(handle, student.id, exercise.id()).due?.text())
             .execute()
         return id
     }
@@ -131,9 +146,10 @@ class Intake(
     private companion object {
         /** The round that grading has come to, or the one after this student's last. */
         const val ROUND =
-            """max(coalesce((SELECT max(round) FROM submissions WHERE state = 'running'), 0),
-                   coalesce((SELECT max(round) FROM submissions WHERE state = 'done'), 0),
-                   coalesce((SELECT max(round) + 1 FROM submissions WHERE student_id = :student), 0))"""
+            """(SELECT coalesce(max(come), 0) FROM (
+                   SELECT max(round) AS come FROM submissions WHERE state = 'running'
+                   UNION ALL SELECT max(round) FROM submissions WHERE state = 'done'
+                   UNION ALL SELECT max(round) + 1 FROM submissions WHERE student_id = :student) AS rounds)"""
 
         /** The cost of the hints that were shown to the student by now. */
         const val HINTS =

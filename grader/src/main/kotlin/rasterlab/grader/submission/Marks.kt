@@ -1,7 +1,9 @@
 package rasterlab.grader.submission
 
+import rasterlab.grader.rules.Arrival
+import rasterlab.grader.rules.CountingPolicy
+import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.Database
-import java.time.Duration
 import java.time.Instant
 
 /** The points that count of what students handed in, by the rules of their course. */
@@ -14,8 +16,8 @@ class Marks(
             .read { handle ->
                 handle
                     .createQuery(
-                        """SELECT s.student_id, s.exercise, s.received_at, s.is_chosen, rules.policy, rules.late_days,
-                               coalesce(extensions.due_at, rules.due_at) AS due_at, ${Submissions.NET} AS points
+                        """SELECT s.student_id, s.exercise, s.received_at, s.is_chosen, s.due_at AS due_then,
+                               ${ExerciseRules.COLUMNS}, ${Submissions.NET} AS points
                            FROM submissions s
                            JOIN students ON students.id = s.student_id
                            JOIN results r ON r.submission_id = s.id AND r.is_current = 1
@@ -31,9 +33,7 @@ class Marks(
                             Instant.parse(row.getString("received_at")),
                             row.getInt("points"),
                             row.getInt("is_chosen") == 1,
-                            row.getString("policy") ?: "best",
-                            row.getString("due_at")?.let(Instant::parse),
-                            row.getInt("late_days").takeUnless { row.wasNull() },
+                            ExerciseRules.of(row).orDue(row.getString("due_then")?.let(Instant::parse)),
                         )
                     }.list()
             }.filter { it.counts() }
@@ -43,10 +43,10 @@ class Marks(
     /** @param inOrder of arrival, at least one */
     private fun points(inOrder: List<Handed>): Int {
         val best = inOrder.maxOf { it.points }
-        return when (inOrder.last().policy) {
-            "last" -> inOrder.last().points
-            "chosen" -> inOrder.lastOrNull { it.chosen }?.points ?: best
-            else -> best
+        return when (inOrder.last().rules.policy) {
+            CountingPolicy.BEST -> best
+            CountingPolicy.LAST -> inOrder.last().points
+            CountingPolicy.CHOSEN -> inOrder.lastOrNull { it.chosen }?.points ?: best
         }
     }
 
@@ -56,11 +56,8 @@ class Marks(
         val receivedAt: Instant,
         val points: Int,
         val chosen: Boolean,
-        val policy: String,
-        val due: Instant?,
-        val lateDays: Int?,
+        val rules: ExerciseRules,
     ) {
-        /** Whether it counts: later than the last late day, it was practice. */
-        fun counts() = due == null || lateDays == null || receivedAt <= due + Duration.ofDays(lateDays.toLong())
+        fun counts() = rules.arrival(receivedAt) != Arrival.PRACTICE
     }
 }

@@ -5,12 +5,20 @@ import io.ktor.http.HttpStatusCode.Companion.Accepted
 import io.ktor.server.response.header
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.post
+import io.ktor.server.routing.put
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.respondJson
+
+@Serializable
+private data class ChoiceAnswer(
+    val id: String,
+    val exercise: String,
+    val attempt: Int,
+)
 
 @Serializable
 private data class SubmissionAnswer(
@@ -29,6 +37,7 @@ fun Route.submissions(
     exercises: Exercises,
     intake: Intake,
     queue: GradingQueue,
+    choices: Choices,
 ) {
     post("/exercises/{id}/submissions") {
         val student = call.student()
@@ -39,5 +48,9 @@ fun Route.submissions(
         queue.ring(accepted.id)
         call.response.header(HttpHeaders.Location, "/api/v1/submissions/${accepted.id}")
         call.respondJson(SubmissionAnswer(accepted.id, accepted.state.code, accepted.position), Accepted)
+    }
+    put("/submissions/{id}/chosen") {
+        val chosen = choices.choose(call.student(), call.parameters.getOrFail("id"))
+        call.respondJson(ChoiceAnswer(chosen.id, chosen.exercise, chosen.attempt))
     }
 }

@@ -2,7 +2,9 @@ package rasterlab.grader.submission
 
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.StudentStanding
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.Database
 import java.sql.ResultSet
 import java.time.Instant
@@ -13,6 +15,7 @@ import kotlin.jvm.optionals.getOrNull
  *
  * @param revision of the exercise that it was or will be graded against
  * @param late whether it was handed in after the deadline, that of now and the one that held then
+ * @param chosen whether the student said that it counts
  */
 data class Listed(
     val submission: Submission,
@@ -22,6 +25,7 @@ data class Listed(
     val of: Int?,
     val revision: String,
     val late: Boolean,
+    val chosen: Boolean,
 )
 
 /** Reads submissions. */
@@ -83,6 +87,21 @@ class Submissions(
                 .toMap()
         }
 
+    /** How far a student has come; null for an instructor, who hands nothing in. */
+    fun standingOf(who: Identity): StudentStanding? =
+        if (who is Identity.Student) StudentStanding(bests(who.id), attempts(who.id)) else null
+
+    private fun attempts(student: String): Map<String, Int> =
+        database.read { handle ->
+            handle
+                .createQuery(
+                    "SELECT exercise, count(*) AS made FROM submissions WHERE student_id = :student GROUP BY exercise",
+                ).bind("student", student)
+                .map { row, _ -> row.getString("exercise") to row.getInt("made") }
+                .list()
+                .toMap()
+        }
+
     /** The one line about that submission, or null if there is none. */
     fun listed(id: String): Listed? = list("WHERE s.id = :id", mapOf("id" to id)).singleOrNull()
 
@@ -95,9 +114,9 @@ class Submissions(
         handle
             .createQuery(
                 """SELECT s.id, s.student_id, s.exercise, s.revision, s.attempt, '' AS source, s.seed, s.received_at,
-                          s.state, s.tries, s.hint_cost, s.due_at, students.shown_name AS student_name, r.verdict,
+                          s.state, s.tries, s.hint_cost, s.is_chosen, s.due_at, students.shown_name AS student_name, r.verdict,
                           r.revision AS graded_against, $NET AS total, r.points_of,
-                          CASE WHEN s.received_at > coalesce(extensions.due_at, rules.due_at) AND s.received_at > s.due_at
+                          CASE WHEN s.received_at > ${ExerciseRules.DUE} AND s.received_at > s.due_at
                               THEN 1 ELSE 0 END AS late
                    FROM submissions s
                    JOIN students ON students.id = s.student_id
@@ -118,6 +137,7 @@ class Submissions(
                     if (graded) row.getInt("points_of") else null,
                     if (graded) row.getString("graded_against") else row.getString("revision"),
                     row.getInt("late") == 1,
+                    row.getInt("is_chosen") == 1,
                 )
             }.list()
     }
@@ -126,7 +146,9 @@ class Submissions(
         private const val LISTED = 100
 
         /** The points of a result that are left when its submission paid for hints. */
-        internal const val NET = "max(0, r.accuracy + r.stability + r.speed - s.hint_cost)"
+        internal const val NET =
+            """CASE WHEN r.accuracy + r.stability + r.speed > s.hint_cost
+               THEN r.accuracy + r.stability + r.speed - s.hint_cost WHEN r.id IS NOT NULL THEN 0 END"""
 
         internal fun find(
             handle: Handle,

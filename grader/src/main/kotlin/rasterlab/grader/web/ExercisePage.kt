@@ -14,13 +14,15 @@ import kotlinx.html.section
 import kotlinx.html.unsafe
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.formula.Formulas
-import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.exercise.starterFile
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.TakenHint
+import rasterlab.grader.rules.CountingPolicy
+import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.submission.HandedForm
 import rasterlab.grader.submission.Listed
 import rasterlab.grader.submission.Sheets
@@ -31,7 +33,7 @@ import java.time.InstantSource
 
 /** The page of one exercise: its statement, where to hand in, hints, and the attempts so far. */
 internal class ExercisePage(
-    private val deadlines: Deadlines,
+    private val rules: CourseRules,
     private val exercises: Exercises,
     private val sheets: Sheets,
     private val hints: Hints,
@@ -66,7 +68,6 @@ internal class ExercisePage(
         exercise: Exercise,
         form: HandedForm?,
     ): ExerciseStand {
-        val due = deadlines.of(who)[exercise.id()]
         val sheet = sheets.next(who, exercise)
         // Answers typed to another sheet, as where this attempt was handed in meanwhile, belong to no question of this
         // one.
@@ -77,8 +78,9 @@ internal class ExercisePage(
             sheet?.let { typed ?: TypedSheet(exercise, it, emptyMap()) },
             if (who is Identity.Student) hints.taken(who, exercise) else emptyList(),
             if (who is Identity.Student) submissions.ofStudent(who.id, exercise.id()) else null,
-            due,
-            over = due != null && clock.instant() > due,
+            rules.of(who)[exercise.id()] ?: ExerciseRules(),
+            if (who is Identity.Student) rules.shows(who.id, exercise.id()) else null,
+            clock.instant(),
             form,
         )
     }
@@ -133,6 +135,7 @@ internal class ExercisePage(
             p { +texts.say("exercise.mine.none") }
         } else {
             attemptTable(texts, exercises, stand.mine)
+            if (stand.rules.policy == CountingPolicy.CHOSEN) choice(texts, stand.mine)
         }
     }
 }
@@ -142,8 +145,8 @@ internal class ExercisePage(
  *
  * @param sheet that the next attempt answers, with what is typed by now; null where there is none
  * @param mine the attempts so far; null for somebody who hands nothing in
- * @param due the deadline, or null
- * @param over whether that has passed
+ * @param rules that hold for them, at the moment [now]
+ * @param shows the moment after which hidden cases are shown; null for never
  * @param form that was refused, or null
  */
 internal class ExerciseStand(
@@ -152,8 +155,9 @@ internal class ExerciseStand(
     val sheet: TypedSheet?,
     val taken: List<TakenHint>,
     val mine: List<Listed>?,
-    val due: Instant?,
-    val over: Boolean,
+    val rules: ExerciseRules,
+    val shows: Instant?,
+    val now: Instant,
     val form: HandedForm?,
 )
 
@@ -176,11 +180,23 @@ private fun MAIN.plan(
             +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
         }
     }
-    stand.due?.let { due ->
-        p("plan") {
-            +texts.say(if (stand.over) "exercise.over" else "exercise.due", UTC_MINUTE.format(due))
-            if (!stand.over && stand.exercise.hidesCases()) +" ${texts.say("exercise.due.hidden")}"
-        }
+    val said = texts.rules(stand.rules, stand.now, stand.mine.orEmpty().size)
+    if (said.isNotEmpty()) p("plan") { +(said + listOfNotNull(showing(texts, stand))).joinToString(" ") }
+}
+
+/** Tells from when on hidden cases are shown, as long as they are not. */
+private fun showing(
+    texts: PageTexts,
+    stand: ExerciseStand,
+): String? {
+    val shows = stand.shows?.takeIf { stand.now <= it && stand.exercise.hidesCases() } ?: return null
+    return when (shows) {
+        stand.rules.due -> texts.say("exercise.due.hidden")
+
+        stand.rules.closes -> texts.say("exercise.shows", shows.forPeople(stand.rules.zone))
+
+        // The moment is an extension of somebody else, who is nobody's business.
+        else -> texts.say("exercise.shows.later")
     }
 }
 

@@ -18,12 +18,13 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.course.Chapter
 import rasterlab.exercises.formula.Formulas
 import rasterlab.grader.course.Accounts
-import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.respondPicture
 import rasterlab.grader.exercise.respondStarter
 import rasterlab.grader.hint.Hints
+import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.HandedForm
 import rasterlab.grader.submission.Intake
@@ -32,13 +33,11 @@ import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.receiveFields
 import java.time.Instant
 import java.time.InstantSource
-import java.time.ZoneOffset
-import java.time.format.DateTimeFormatter
 
 /** Shows what there is to do, and where to hand it in. */
 fun Route.exercisePages(
     accounts: Accounts,
-    deadlines: Deadlines,
+    rules: CourseRules,
     exercises: Exercises,
     sheets: Sheets,
     hints: Hints,
@@ -47,8 +46,8 @@ fun Route.exercisePages(
     queue: GradingQueue,
     clock: InstantSource,
 ) {
-    val page = ExercisePage(deadlines, exercises, sheets, hints, submissions, Formulas(), clock)
-    get("/exercises") { call.respondExercises(call.someone(accounts), exercises, deadlines, submissions, clock) }
+    val page = ExercisePage(rules, exercises, sheets, hints, submissions, Formulas(), clock)
+    get("/exercises") { call.respondExercises(call.someone(accounts), exercises, rules, submissions, clock) }
     get("/exercises/{id}") {
         page.show(call, call.someone(accounts), exercises.named(call.parameters.getOrFail("id")))
     }
@@ -79,17 +78,17 @@ fun Route.exercisePages(
 private suspend fun ApplicationCall.respondExercises(
     who: Identity,
     exercises: Exercises,
-    deadlines: Deadlines,
+    rules: CourseRules,
     submissions: Submissions,
     clock: InstantSource,
 ) {
     val texts = texts()
     val now = clock.instant()
-    val due = deadlines.of(who)
+    val held = rules.of(who)
     val bests = submissions.bestsOf(who)
     respondPage(texts, who, texts.say("exercises.title")) {
         if (exercises.all.isEmpty()) p { +texts.say("exercises.none") }
-        Chapter.of(exercises.all).forEach { chapter(texts, it, due, bests, now) }
+        Chapter.of(exercises.all).forEach { chapter(texts, it, held, bests, now) }
     }
 }
 
@@ -97,7 +96,7 @@ private suspend fun ApplicationCall.respondExercises(
 private fun FlowContent.chapter(
     texts: PageTexts,
     chapter: Chapter,
-    deadlines: Map<String, Instant>,
+    held: Map<String, ExerciseRules>,
     bests: Map<String, Int?>?,
     now: Instant,
 ) = section("chapter") {
@@ -111,18 +110,19 @@ private fun FlowContent.chapter(
             a("/exercises/${exercise.id()}", classes = "card exercise") {
                 span("title") { +exercise.title(texts.language) }
                 span { +about(texts, exercise) }
-                deadlines[exercise.id()]?.let { due ->
+                val rules = held[exercise.id()] ?: ExerciseRules()
+                rules.opens?.takeIf { now < it }?.let { opens ->
+                    span("state") { +texts.say("exercises.opens", opens.forPeople(rules.zone)) }
+                }
+                rules.due?.let { due ->
                     val said = if (now > due) "exercises.over" else "exercises.deadline"
-                    span("state") { +texts.say(said, UTC_MINUTE.format(due)) }
+                    span("state") { +texts.say(said, due.forPeople(rules.zone)) }
                 }
                 if (bests != null) span("state") { +state(texts, exercise, bests) }
             }
         }
     }
 }
-
-/** Writes times in UTC, since a server does not know where its students are. */
-internal val UTC_MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm 'UTC'").withZone(ZoneOffset.UTC)
 
 /** Tells its kind, its points, and how long it takes where that is known. */
 private fun about(

@@ -88,12 +88,12 @@ private fun FlowContent.handing(
     id = name
     input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }
     content()
-    if (stand.over) consent(texts, agreed = stand.form?.late == true)
+    texts.consent(stand.rules, stand.now)?.let { consent(it, agreed = stand.form?.late == true) }
     button { +texts.say("exercise.submit.do") }
 }
 
 private fun FlowContent.consent(
-    texts: PageTexts,
+    what: String,
     agreed: Boolean,
 ) = label("consent") {
     input(InputType.checkBox, name = LATE) {
@@ -101,5 +101,5 @@ private fun FlowContent.consent(
         required = true
         checked = agreed
     }
-    span { +texts.say("exercise.late") }
+    span { +what }
 }

@@ -149,6 +149,7 @@ private fun FlowContent.courseList(
                     +"${texts.say("instructor.code")}: "
                     code("code") { +course.code }
                 }
+                a("/instructor/courses/${course.id}/exercises") { +texts.say("instructor.rules") }
                 details {
                     summary { +texts.say("instructor.students", students.size) }
                     studentList(texts, students)

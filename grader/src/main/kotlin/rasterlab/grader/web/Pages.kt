@@ -11,10 +11,11 @@ import io.ktor.server.routing.Route
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
-import rasterlab.grader.course.Deadlines
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.report.Results
+import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.submission.Choices
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.Live
@@ -30,22 +31,25 @@ fun Route.pages(
     staticResources("/assets", "rasterlab.grader.web.assets")
     welcome(accounts)
     rateLimit(entry) { entering(accounts, courses) }
-    exercisePages(accounts, deadlines, exercises, sheets, hints, submissions, intake, queue, clock)
+    exercisePages(accounts, rules, exercises, sheets, hints, submissions, intake, queue, clock)
+    choicePages(accounts, choices)
     hintPages(accounts, exercises, hints)
     resultPages(accounts, exercises, submissions, results)
     instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
+    rulesPages(accounts, courses, exercises, rules)
 }
 
 /** The services that the pages ask. */
 class PageParts(
     val accounts: Accounts,
     val courses: Courses,
-    val deadlines: Deadlines,
+    val rules: CourseRules,
     val exercises: Exercises,
     val sheets: Sheets,
     val hints: Hints,
     val submissions: Submissions,
     val intake: Intake,
+    val choices: Choices,
     val queue: GradingQueue,
     val results: Results,
     val live: Live,

@@ -67,7 +67,9 @@ private fun FlowContent.deadline(
     val said =
         when {
             view.opened -> if (hidesCases) "result.opened" else "result.over"
-            else -> if (hidesCases) "result.due.hidden" else "result.due"
+            !hidesCases -> "result.due"
+            view.opensLater -> "result.due.later"
+            else -> "result.due.hidden"
         }
     p("plan") { +texts.say(said, due) }
 }

@@ -86,7 +86,8 @@ class GradesTest {
                        WHERE submission_id = (SELECT id FROM submissions WHERE attempt = $attempt)""",
                 )
                 execute(
-                    "UPDATE submissions SET received_at = '2026-03-0${attempt}T12:00:00.000Z' WHERE attempt = $attempt",
+                    """UPDATE submissions SET received_at = '2026-03-0${attempt}T12:00:00.000Z',
+                           due_at = '2026-03-01T13:00:00.000Z' WHERE attempt = $attempt""",
                 )
             }
             assertEquals(number(6), grades(course))

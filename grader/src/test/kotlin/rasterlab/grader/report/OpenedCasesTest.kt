@@ -4,6 +4,7 @@ import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.request.patch
 import io.ktor.client.request.post
+import io.ktor.client.request.put
 import io.ktor.client.request.setBody
 import io.ktor.client.statement.bodyAsBytes
 import io.ktor.client.statement.bodyAsText
@@ -155,6 +156,69 @@ class OpenedCasesTest {
         assertFalse("secret of hidden" in told, told)
         assertFalse("Why this case" in told, told)
         assertTrue("After it, hidden cases are shown with everything" in told, told)
+    }
+
+    @Test
+    @DisplayName("a hidden case is opened while a late day, or another's extension, still lets somebody earn points")
+    fun hiddenCaseIsOpenedWhenNobodyCanEarnPointsAnyMore() =
+        classroom().open {
+            val due = now
+            val (course, student, id) = handedIn(due)
+            val address = "/api/v1/courses/$course/exercises/draw-dot"
+            client.patch(address) {
+                bearer(instructor)
+                json("""{"lateDays":1}""")
+            }
+            now = due + Duration.ofHours(24)
+            assertStillHidden(student, id, "From 2026-03-29 10:00 UTC on, hidden cases are shown")
+            now += Duration.ofMillis(1)
+            assertEquals(4, pictures(student, id))
+            val ill = classmate(course)
+            client.put("$address/extensions/$ill") {
+                bearer(instructor)
+                json("""{"deadline":"${due + Duration.ofHours(48)}","reason":"ill"}""")
+            }
+            now = due + Duration.ofHours(72)
+            assertStillHidden(student, id, "Hidden cases are shown with everything when nobody can hand in")
+            now += Duration.ofMillis(1)
+            assertEquals(4, pictures(student, id))
+        }
+
+    private suspend fun Visit.pictures(
+        student: String,
+        id: String,
+    ) = seen(student, id).getValue("after-deadline").list("pictures").size
+
+    private suspend fun Visit.assertStillHidden(
+        student: String,
+        id: String,
+        promise: String,
+    ) {
+        assertEquals(0, pictures(student, id))
+        val result = page(student, "/submissions/$id?lang=en")
+        assertTrue("Hidden cases are shown with everything when nobody can hand in" in result, result)
+        val exercise = page(student, "/exercises/draw-dot?lang=en")
+        assertTrue(promise in exercise, exercise)
+    }
+
+    /** The id of one more student of the course. */
+    private suspend fun Visit.classmate(course: String): String {
+        val code =
+            database.read {
+                it
+                    .createQuery("SELECT code FROM courses WHERE id = ?")
+                    .bind(0, course)
+                    .mapTo(String::class.java)
+                    .one()
+            }
+        newStudent(code)
+        return database.read {
+            it
+                .createQuery(
+                    "SELECT id FROM students WHERE number = 2",
+                ).mapTo(String::class.java)
+                .one()
+        }
     }
 
     @Test

@@ -36,10 +36,10 @@ class ServerWordsTest {
                     Rejection.Malformed.class,
                     Rejection.BadKey.class,
                     Rejection.BadAnswers.class,
-                    Rejection.BadDeadline.class,
-                    Rejection.BadRoster.class,
+                    Rejection.Explained.class,
                     Rejection.HintOrder.class,
                     Rejection.NoMoreHints.class,
+                    Rejection.NothingToChoose.class,
                     Rejection.UnknownLanguage.class,
                     Rejection.UnknownScene.class,
                     Rejection.UnknownStudent.class,
@@ -67,7 +67,12 @@ class ServerWordsTest {
                 new Rejection.TooFast(6, 10),
                 new Rejection.BadSheet(
                         new CatalogueException(Phrase.of("predict.other-seed", "5", "6"))),
-                new Rejection.Late(Instant.EPOCH),
+                new Rejection.NotOpen("circle", Instant.EPOCH, Instant.EPOCH),
+                new Rejection.NoAttemptsLeft("circle", 3),
+                new Rejection.Late(Instant.EPOCH, new Rejection.Lateness.Marked()),
+                new Rejection.Late(
+                        Instant.EPOCH, new Rejection.Lateness.TakesDay(1, 2, Instant.EPOCH)),
+                new Rejection.Late(Instant.EPOCH, new Rejection.Lateness.Practice(Instant.EPOCH)),
                 new Rejection.NoRoom());
     }
 

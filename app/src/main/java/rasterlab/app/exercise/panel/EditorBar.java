@@ -186,7 +186,7 @@ final class EditorBar extends JPanel {
     void refresh() {
         ExerciseState state = model.state();
         running.refresh(state.work().running());
-        late.setVisible(state.notice().key().equals(CourseServer.LATE));
+        late.setVisible(state.notice().key().startsWith(CourseServer.LATE));
         copy.setEnabled(model.command().isPresent());
         offerLab(state.exercise());
         undo.setEnabled(editor.canUndo());

@@ -1,0 +1,128 @@
+package rasterlab.grader.rules
+
+import rasterlab.grader.problem.Rejection
+import java.time.DateTimeException
+import java.time.Instant
+import java.time.LocalDateTime
+import java.time.OffsetDateTime
+import java.time.ZoneId
+
+/** The names of what can be ruled, as in the HTTP API. */
+enum class RuleField(
+    val code: String,
+) {
+    OPENS("opens"),
+    DEADLINE("deadline"),
+    ZONE("zone"),
+    LATE_DAYS("lateDays"),
+    ATTEMPTS("attempts"),
+    POLICY("policy"),
+}
+
+/**
+ * Tells what is to become of the rules of an exercise.
+ *
+ * @param told texts as somebody wrote them, empty for none; what is not told stays as it is
+ */
+class RuleChange(
+    private val told: Map<RuleField, String>,
+) {
+    /** @throws Rejection.BadRule that names the field, what it is, and what is allowed */
+    fun of(before: ExerciseRules): ExerciseRules {
+        val zone = told[RuleField.ZONE]?.let(::zone) ?: before.zone
+        val after =
+            ExerciseRules(
+                opens = changed(RuleField.OPENS, before.opens) { moment(RuleField.OPENS.code, it, zone) },
+                due = changed(RuleField.DEADLINE, before.due) { moment(RuleField.DEADLINE.code, it, zone) },
+                zone,
+                lateDays =
+                    changed(
+                        RuleField.LATE_DAYS,
+                        before.lateDays,
+                    ) { number(RuleField.LATE_DAYS, it, 0..MOST_DAYS) },
+                attempts =
+                    changed(RuleField.ATTEMPTS, before.attempts) {
+                        number(
+                            RuleField.ATTEMPTS,
+                            it,
+                            1..MOST_ATTEMPTS,
+                        )
+                    },
+                policy = told[RuleField.POLICY]?.let(::policy) ?: before.policy,
+            )
+        if (after.opens != null && after.due != null && after.opens >= after.due) {
+            throw Rejection.BadRule("order", "${after.opens}", "${after.due}")
+        }
+        return after
+    }
+
+    private fun <T> changed(
+        field: RuleField,
+        before: T?,
+        read: (String) -> T,
+    ): T? {
+        val text = told[field] ?: return before
+        return text.trim().takeIf { it.isNotEmpty() }?.let(read)
+    }
+
+    companion object {
+        private const val MOST_DAYS = 60
+        private const val MOST_ATTEMPTS = 1_000
+        private val YEARS = 2000..9999
+
+        /**
+         * The moment that a text means: with an offset, or a time of that zone.
+         *
+         * @param field that holds it, for the message
+         */
+        fun moment(
+            field: String,
+            text: String,
+            zone: ZoneId,
+        ): Instant {
+            val moment =
+                try {
+                    OffsetDateTime.parse(text).toInstant()
+                } catch (noOffset: DateTimeException) {
+                    localTime(field, text, zone)
+                }
+            return moment.takeIf { it.atZone(zone).year in YEARS } ?: throw noMoment(field, text, zone)
+        }
+
+        private fun localTime(
+            field: String,
+            text: String,
+            zone: ZoneId,
+        ): Instant =
+            try {
+                LocalDateTime.parse(text).atZone(zone).toInstant()
+            } catch (misfit: DateTimeException) {
+                throw noMoment(field, text, zone)
+            }
+
+        private fun noMoment(
+            field: String,
+            text: String,
+            zone: ZoneId,
+        ) = Rejection.BadRule("moment", field, text, zone.named())
+
+        private fun zone(text: String): ZoneId =
+            try {
+                ZoneId.of(text.trim())
+            } catch (misfit: DateTimeException) {
+                throw Rejection.BadRule("zone", text)
+            }
+
+        private fun number(
+            field: RuleField,
+            text: String,
+            allowed: IntRange,
+        ): Int =
+            text.toIntOrNull()?.takeIf { it in allowed }
+                ?: throw Rejection.BadRule("number", field.code, text, allowed.first, allowed.last)
+
+        private fun policy(text: String): CountingPolicy =
+            CountingPolicy.entries.firstOrNull { it.code == text }
+                ?: throw Rejection.BadRule("policy", text, CountingPolicy.entries.joinToString { it.code })
+    }
+}

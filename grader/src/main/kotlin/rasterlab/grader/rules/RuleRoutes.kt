@@ -1,0 +1,123 @@
+package rasterlab.grader.rules
+
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.routing.patch
+import io.ktor.server.routing.put
+import io.ktor.server.util.getOrFail
+import kotlinx.serialization.Serializable
+import rasterlab.exercises.json.JsonFields
+import rasterlab.grader.course.Course
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.instructor
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.receiveJson
+import rasterlab.grader.problem.respondJson
+import rasterlab.grader.storage.text
+
+@Serializable
+private data class RulesAnswer(
+    val exercise: String,
+    val opens: String?,
+    val deadline: String?,
+    val zone: String,
+    val lateDays: Int?,
+    val attempts: Int?,
+    val policy: String,
+)
+
+@Serializable
+private data class ExtensionAnswer(
+    val student: String,
+    val exercise: String,
+    val deadline: String?,
+)
+
+@Serializable
+private data class GivenExtension(
+    val student: String,
+    val name: String,
+    val exercise: String,
+    val deadline: String,
+    val reason: String,
+)
+
+@Serializable
+private data class AllRulesAnswer(
+    val exercises: List<RulesAnswer>,
+    val extensions: List<GivenExtension>,
+)
+
+/**
+ * Serves the rules of exercises to instructors, inside `authenticate`.
+ *
+ * @param ids of the exercises there are
+ * @param known throws the rejection of an exercise that there is not
+ */
+fun Route.exerciseRules(
+    courses: Courses,
+    rules: CourseRules,
+    ids: List<String>,
+    known: (String) -> Unit,
+) {
+    get("/courses/{course}/exercises") {
+        call.instructor()
+        val course = call.course(courses)
+        val set = rules.ofCourse(course)
+        call.respondJson(
+            AllRulesAnswer(
+                ids.map { answer(it, set[it] ?: ExerciseRules()) },
+                rules
+                    .extensions(
+                        course,
+                    ).map { GivenExtension(it.student, it.name, it.exercise, it.due.text(), it.reason) },
+            ),
+        )
+    }
+    patch("/courses/{course}/exercises/{id}") {
+        val instructor = call.instructor()
+        val exercise = call.parameters.getOrFail("id").also(known)
+        val change = call.receiveJson(*CODES) { RuleChange(told(it)) }
+        val after = rules.change(call.course(courses), exercise, change, instructor.id)
+        call.respondJson(answer(exercise, after))
+    }
+    put("/courses/{course}/exercises/{id}/extensions/{student}") {
+        val instructor = call.instructor()
+        val exercise = call.parameters.getOrFail("id").also(known)
+        val student = call.parameters.getOrFail("student")
+        val (until, reason) =
+            call.receiveJson("deadline", "reason") {
+                it.anyText("deadline") to if (it.has("reason")) it.anyText("reason") else ""
+            }
+        val holds = rules.extend(call.course(courses), exercise, student, until, reason, instructor.id)
+        call.respondJson(ExtensionAnswer(student, exercise, holds.due?.text()))
+    }
+}
+
+private val CODES = RuleField.entries.map { it.code }.toTypedArray()
+
+/** The fields as texts; a number or null may stand for what is one. */
+private fun told(body: JsonFields): Map<RuleField, String> =
+    RuleField.entries.filter { body.tree().has(it.code) }.associateWith { field ->
+        val node = body.tree().get(field.code)
+        if (node.isNull) "" else node.asText(node.toString())
+    }
+
+private fun ApplicationCall.course(courses: Courses): Course {
+    val told = parameters.getOrFail("course")
+    return courses.find(told) ?: throw Rejection.UnknownCourse(told)
+}
+
+private fun answer(
+    exercise: String,
+    rules: ExerciseRules,
+) = RulesAnswer(
+    exercise,
+    rules.opens?.text(),
+    rules.due?.text(),
+    rules.zone.named(),
+    rules.lateDays,
+    rules.attempts,
+    rules.policy.code,
+)

@@ -1,0 +1,70 @@
+package rasterlab.grader.web
+
+import rasterlab.grader.rules.Arrival
+import rasterlab.grader.rules.ExerciseRules
+import rasterlab.grader.rules.named
+import java.time.Instant
+import java.time.ZoneId
+import java.time.format.DateTimeFormatter
+
+private val LOCAL_MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm")
+
+/** The moment to the minute with its zone, such as "2027-03-01 23:59 Europe/Moscow". */
+internal fun Instant.forPeople(zone: ZoneId): String = "${LOCAL_MINUTE.format(atZone(zone))} ${zone.named()}"
+
+/** Tells what the rules of an exercise mean to a student at this moment, a sentence or two each. */
+internal fun PageTexts.rules(
+    rules: ExerciseRules,
+    now: Instant,
+    made: Int,
+): List<String> =
+    listOfNotNull(
+        rules.opens?.takeIf { now < it }?.let { say("exercise.opens", it.forPeople(rules.zone)) },
+        rules.due?.let { deadline(rules, it, now) },
+        rules.attempts?.let { say("exercise.attempts", made, it) },
+        say(
+            "exercise.policy.${rules.policy.code}",
+        ).takeIf { rules != ExerciseRules(due = rules.due, zone = rules.zone) },
+    )
+
+private fun PageTexts.deadline(
+    rules: ExerciseRules,
+    due: Instant,
+    now: Instant,
+): String {
+    val told = due.forPeople(rules.zone)
+    val closes = rules.closes?.forPeople(rules.zone).orEmpty()
+    return when (rules.arrival(now)) {
+        Arrival.IN_TIME -> {
+            when (val days = rules.lateDays) {
+                null -> say("exercise.due", told)
+                0 -> say("exercise.due.strict", told)
+                else -> say("exercise.due.days", told, days, closes)
+            }
+        }
+
+        Arrival.LATE -> {
+            say("exercise.over", told)
+        }
+
+        Arrival.LATE_DAY -> {
+            say("exercise.over.day", told, closes, rules.lateDay(now), rules.lateDays ?: 0)
+        }
+
+        Arrival.PRACTICE -> {
+            say("exercise.over.practice", told)
+        }
+    }
+}
+
+/** Tells what a student agrees to who hands in at this moment; null where it is in time. */
+internal fun PageTexts.consent(
+    rules: ExerciseRules,
+    now: Instant,
+): String? =
+    when (rules.arrival(now)) {
+        Arrival.IN_TIME -> null
+        Arrival.LATE -> say("exercise.late")
+        Arrival.LATE_DAY -> say("exercise.late.day", rules.lateDay(now), rules.lateDays ?: 0)
+        Arrival.PRACTICE -> say("exercise.late.practice")
+    }

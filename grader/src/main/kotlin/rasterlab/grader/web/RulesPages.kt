@@ -1,0 +1,160 @@
+package rasterlab.grader.web
+
+import io.ktor.http.HttpStatusCode
+import io.ktor.http.Parameters
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.respondRedirect
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.routing.post
+import io.ktor.server.util.getOrFail
+import kotlinx.html.a
+import kotlinx.html.div
+import kotlinx.html.p
+import kotlinx.html.table
+import kotlinx.html.tbody
+import kotlinx.html.td
+import kotlinx.html.th
+import kotlinx.html.thead
+import kotlinx.html.tr
+import rasterlab.exercises.Exercise
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Course
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.rules.ExerciseRules
+import rasterlab.grader.rules.RuleChange
+import rasterlab.grader.rules.RuleField
+
+/** Shows an instructor what a course rules for its exercises, and takes changes. */
+fun Route.rulesPages(
+    accounts: Accounts,
+    courses: Courses,
+    exercises: Exercises,
+    rules: CourseRules,
+) {
+    get("/instructor/courses/{course}/exercises") {
+        val who = call.instructorHere(accounts)
+        val course = call.courseOf(courses)
+        call.respondRules(who, course, exercises, rules.ofCourse(course))
+    }
+    get("/instructor/courses/{course}/exercises/{id}") {
+        val who = call.instructorHere(accounts)
+        val desk = RulesDesk(call.courseOf(courses), call.exerciseOf(exercises), courses, rules)
+        desk.show(call, who, typed = null, refused = null)
+    }
+    post("/instructor/courses/{course}/exercises/{id}") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val desk = RulesDesk(call.courseOf(courses), call.exerciseOf(exercises), courses, rules)
+        val form = call.receiveForm()
+        desk.showAgain(call, who, form)
+        rules.change(desk.course, desk.exercise.id(), RuleChange(form.rules()), who.id)
+        call.respondRedirect(desk.address)
+    }
+    post("/instructor/courses/{course}/exercises/{id}/extensions") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val desk = RulesDesk(call.courseOf(courses), call.exerciseOf(exercises), courses, rules)
+        val form = call.receiveForm()
+        desk.showAgain(call, who, form)
+        val (student, until, reason) = listOf("student", "until", "reason").map { form[it].orEmpty() }
+        rules.extend(desk.course, desk.exercise.id(), student, until, reason, who.id)
+        call.respondRedirect(desk.address)
+    }
+}
+
+private fun ApplicationCall.exerciseOf(exercises: Exercises) = exercises.named(parameters.getOrFail("id"))
+
+private fun ApplicationCall.courseOf(courses: Courses): Course {
+    val told = parameters.getOrFail("course")
+    return courses.find(told) ?: throw Rejection.UnknownCourse(told)
+}
+
+/** The rules that a form tells. */
+private fun Parameters.rules(): Map<RuleField, String> =
+    RuleField.entries.mapNotNull { field -> get(field.code)?.let { field to it } }.toMap()
+
+private suspend fun ApplicationCall.respondRules(
+    who: Identity.Instructor,
+    course: Course,
+    exercises: Exercises,
+    set: Map<String, ExerciseRules>,
+) {
+    val texts = texts()
+    respondPage(texts, who, texts.say("rules.title", course.name)) {
+        p { a("/instructor") { +texts.say("token.back") } }
+        div("scroll") {
+            table {
+                thead {
+                    tr {
+                        th { +texts.say("rules.exercise") }
+                        (RuleField.entries - RuleField.ZONE).forEach { th { +texts.say("rules.${it.code}") } }
+                    }
+                }
+                tbody {
+                    exercises.all.forEach { exercise ->
+                        val rules = set[exercise.id()] ?: ExerciseRules()
+                        tr {
+                            td { a(rulesAddress(course, exercise)) { +exercise.title(texts.language) } }
+                            td { +rules.opens?.forPeople(rules.zone).orEmpty() }
+                            td { +rules.due?.forPeople(rules.zone).orEmpty() }
+                            td { +rules.lateDays?.toString().orEmpty() }
+                            td { +rules.attempts?.toString().orEmpty() }
+                            td { +texts.say("rules.policy.${rules.policy.code}") }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+internal fun rulesAddress(
+    course: Course,
+    exercise: Exercise,
+) = "/instructor/courses/${course.id}/exercises/${exercise.id()}"
+
+/** The page of one exercise's rules in one course. */
+internal class RulesDesk(
+    val course: Course,
+    val exercise: Exercise,
+    private val courses: Courses,
+    private val rules: CourseRules,
+) {
+    val address = rulesAddress(course, exercise)
+
+    /** Has what was typed shown again where what [call] goes on to do with it is refused. */
+    fun showAgain(
+        call: ApplicationCall,
+        who: Identity.Instructor,
+        typed: Parameters,
+    ) = call.attributes.put(
+        FORM_AGAIN,
+        FormAgain { status, code, added ->
+            show(call, who, typed, Refused(status, code, added(call.texts().language)))
+        },
+    )
+
+    /** @param typed what a form told that was refused, or null */
+    suspend fun show(
+        call: ApplicationCall,
+        who: Identity.Instructor,
+        typed: Parameters?,
+        refused: Refused?,
+    ) {
+        val texts = call.texts()
+        val held = rules.ofCourse(course)[exercise.id()] ?: ExerciseRules()
+        val extensions = rules.extensions(course).filter { it.exercise == exercise.id() }
+        val heading = "${exercise.title(texts.language)} — ${course.name}"
+        call.respondPage(texts, who, heading, refused?.status ?: HttpStatusCode.OK) {
+            refused?.let { problem(texts, it.status, it.code, it.details) }
+            p { a("/instructor/courses/${course.id}/exercises") { +texts.say("rules.back") } }
+            rulesForm(texts, address, held, typed)
+            extensionForms(texts, address, courses.students(course.id).orEmpty(), extensions, held, typed)
+        }
+    }
+}
