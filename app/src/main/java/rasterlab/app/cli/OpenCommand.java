@@ -71,7 +71,8 @@ final class OpenCommand implements Callable<Integer> {
             names = "--exercise",
             paramLabel = "EXERCISE",
             description =
-                    "what the source was written for; may be left out where a topic has one only")
+                    "what the source was written for; may be left out where a topic has one only,"
+                            + " or the interface that it implements tells")
     private String exercise;
 
     @Mixin private ExercisesOption exercises;
@@ -119,9 +120,10 @@ final class OpenCommand implements Callable<Integer> {
         if (source == null) return Optional.empty();
         List<Exercise> all = exercises.catalogue(console).all();
         try {
-            var written = FirstCase.exerciseOn(topic, Optional.ofNullable(exercise), all);
+            String text = SourceFile.read(source);
+            var written = FirstCase.exerciseOn(topic, Optional.ofNullable(exercise), text, all);
             String name = String.valueOf(source.getFileName());
-            return Optional.of(new FirstCase.Program(written, SourceFile.read(source), name));
+            return Optional.of(new FirstCase.Program(written, text, name));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }

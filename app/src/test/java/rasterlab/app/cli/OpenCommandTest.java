@@ -124,6 +124,18 @@ class OpenCommandTest {
         assertEquals(List.of(), opened);
     }
 
+    @ParameterizedTest(name = "{0}: {1} is asked for though the interface tells")
+    @CsvSource({
+        "class Mine implements WindowedLineRasterizer {}, window-segment",
+        "class Mine implements LineRasterizer {}, line-bresenham",
+        "class Mine implements /* no WindowedLineRasterizer */ LineRasterizer {}, line-bresenham"
+    })
+    void theInterfaceTellsWhichExerciseIsMeant(String text, String exercise) throws Exception {
+        Files.writeString(source, text);
+        open(true, 0, "open", scene.toString(), "--with", source.toString());
+        assertEquals(exercise, opened.get(0).program().orElseThrow().exercise().id());
+    }
+
     @ParameterizedTest(name = "{0} is not refused")
     @CsvSource(
             delimiter = '|',

@@ -36,7 +36,8 @@ final class OwnSource {
             names = "--exercise",
             paramLabel = "EXERCISE",
             description =
-                    "what the source was written for; may be left out where a topic has one only")
+                    "what the source was written for; may be left out where a topic has one only,"
+                            + " or the interface that it implements tells")
     private String exercise;
 
     @Mixin private ExercisesOption exercises;
@@ -65,7 +66,7 @@ final class OwnSource {
             BooleanSupplier cancelled) {
         String text = SourceFile.read(source);
         try (var own = new OwnMethods()) {
-            own.bring(written(topic.name(), console), text);
+            own.bring(written(topic.name(), text, console), text);
             OwnProgram program = own.of(topic.name()).orElseThrow();
             Optional<String> obstacle = program.obstacle();
             if (obstacle.isPresent()) throw Complaint.badInput(obstacle.get());
@@ -85,10 +86,10 @@ final class OwnSource {
                 .toList();
     }
 
-    private Exercise written(String topic, Console console) {
+    private Exercise written(String topic, String text, Console console) {
         try {
             return FirstCase.exerciseOn(
-                    topic, Optional.ofNullable(exercise), exercises.catalogue(console).all());
+                    topic, Optional.ofNullable(exercise), text, exercises.catalogue(console).all());
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }

@@ -2,6 +2,7 @@ package rasterlab.app.shell.labs;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.lab.GivenInput;
 import rasterlab.engine.Topics;
@@ -15,6 +16,8 @@ import rasterlab.exercises.scene.MethodCase;
  * @param program the user's own, shown beside the right method; empty for none
  */
 public record FirstCase(MethodCase scene, Optional<Program> program) {
+    private static final Pattern COMMENT = Pattern.compile("//.*|/\\*[\\s\\S]*?\\*/");
+
     /**
      * A source that was written for an exercise.
      *
@@ -34,13 +37,14 @@ public record FirstCase(MethodCase scene, Optional<Program> program) {
 
     /**
      * The exercise that a program for a topic is written for: the one of that name, or the only one
-     * there is.
+     * there is, or the only one whose contract the source implements.
      *
      * @param id of the exercise; empty where it was not said
      * @throws IllegalArgumentException if there is none of that name on the topic, or several and
      *     none was named
      */
-    public static Exercise exerciseOn(String topic, Optional<String> id, List<Exercise> all) {
+    public static Exercise exerciseOn(
+            String topic, Optional<String> id, String source, List<Exercise> all) {
         List<Exercise> fit =
                 all.stream()
                         .filter(one -> one.form() == Exercise.Form.WRITE)
@@ -50,6 +54,8 @@ public record FirstCase(MethodCase scene, Optional<Program> program) {
         if (fit.isEmpty())
             throw new IllegalArgumentException(
                     "no exercise asks for a program on topic '" + topic + "'");
+        List<Exercise> meant = fit.stream().filter(one -> implementsIts(source, one)).toList();
+        if (id.isEmpty() && meant.size() == 1) return meant.get(0);
         if (id.isEmpty() && fit.size() > 1)
             throw new IllegalArgumentException(
                     "several exercises are on topic '%s'; name one with --exercise: %s"
@@ -62,5 +68,16 @@ public record FirstCase(MethodCase scene, Optional<Program> program) {
                                 new IllegalArgumentException(
                                         "exercise '%s' asks for no program on topic '%s'; there are %s"
                                                 .formatted(id.get(), topic, ids)));
+    }
+
+    /** Whether the exercise's contract stands behind {@code implements} in the source. */
+    private static boolean implementsIts(String source, Exercise exercise) {
+        String contract =
+                exercise.contract()
+                        .orElseGet(() -> Topics.named(exercise.topic()).contract().getSimpleName());
+        String code = COMMENT.matcher(source).replaceAll(" ");
+        return Pattern.compile("\\bimplements\\b[^{]*\\b" + Pattern.quote(contract) + "\\b")
+                .matcher(code)
+                .find();
     }
 }

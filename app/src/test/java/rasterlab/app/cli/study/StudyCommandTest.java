@@ -104,8 +104,6 @@ class StudyCommandTest {
                 "1",
                 "--seconds",
                 "0",
-                "--exercise",
-                "line-bresenham",
                 "--with",
                 source.toString());
     }
