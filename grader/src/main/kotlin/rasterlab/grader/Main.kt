@@ -11,6 +11,7 @@ import rasterlab.engine.ProductVersion
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.web.PageTexts
 import java.io.OutputStreamWriter
 import java.io.PrintStream
 import java.io.PrintWriter
@@ -77,6 +78,7 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
                     .addSubcommand(CourseRosterCommand(words))
                     .addSubcommand(CourseRulesCommand())
                     .addSubcommand(CourseExtendCommand())
+                    .addSubcommand(CourseCloneCommand())
                     .addSubcommand(CourseGradesCommand()),
             ).addSubcommand(HelpCommand())
     return words
@@ -96,6 +98,10 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
 
                 is Rejection.Explained -> {
                     refuse(command, failure.said(words.language))
+                }
+
+                is Rejection.BadName -> {
+                    refuse(command, PageTexts.of(words.language.language).problem(failure.code))
                 }
 
                 is Rejection.UnknownStudent -> {

@@ -6,6 +6,8 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import picocli.CommandLine.Spec
+import rasterlab.grader.course.Name
+import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.rules.RuleChange
@@ -190,6 +192,45 @@ internal class CourseExtendCommand : Callable<Int> {
             val rules = CourseRules(database, InstantSource.system())
             val holds = rules.extend(course, exercise.known(), student, until, reason, by = "command")
             spec.commandLine().out.println("deadline\t${holds.due?.text().orEmpty()}".trim())
+            0
+        }
+}
+
+@Command(
+    name = "clone",
+    mixinStandardHelpOptions = true,
+    description = ["Makes a course with the rules of an earlier one, later by whole days, and nobody in it."],
+)
+internal class CourseCloneCommand : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
+    @Mixin
+    lateinit var options: CourseOptions
+
+    @Parameters(
+        index = "1",
+        paramLabel = "NAME",
+        descriptionKey = "rules.name",
+        description = ["The new course's name."],
+    )
+    lateinit var name: String
+
+    @Option(
+        names = ["--days"],
+        paramLabel = "N",
+        defaultValue = "${CourseClones.YEAR_OF_WEEKS}",
+        descriptionKey = "rules.shift",
+        description = ["How many days later; by default \${DEFAULT-VALUE}, that is 52 weeks."],
+    )
+    lateinit var days: String
+
+    override fun call(): Int =
+        options.open { database, courses ->
+            val course = courses.find(options.course) ?: throw options.unknown()
+            val clones = CourseClones(database, InstantSource.system())
+            val made = clones.clone(course, Name.of(name), days, by = "command", key = null)
+            spec.commandLine().out.println("course\t${made.id}\ncode\t${made.code}")
             0
         }
 }

@@ -40,9 +40,13 @@ import rasterlab.grader.report.Grades
 import rasterlab.grader.report.Results
 import rasterlab.grader.report.grades
 import rasterlab.grader.report.results
+import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.rules.clones
 import rasterlab.grader.rules.exerciseRules
 import rasterlab.grader.storage.Database
+import rasterlab.grader.student.StudentRecords
+import rasterlab.grader.student.studentRecords
 import rasterlab.grader.submission.Attempts
 import rasterlab.grader.submission.Choices
 import rasterlab.grader.submission.GradingQueue
@@ -101,7 +105,10 @@ class Server(
     private val courses = Courses(database, clock)
     private val rules = CourseRules(database, clock)
     private val roster = RosterImport(database, clock)
-    private val grades = Grades(courses, Marks(database), exercises)
+    private val marks = Marks(database)
+    private val grades = Grades(courses, marks, exercises)
+    private val clones = CourseClones(database, clock)
+    private val records = StudentRecords(database, clock)
     private val live = Live()
     private val submissions = Submissions(database)
     private val reports = Reports(database)
@@ -121,6 +128,10 @@ class Server(
             accounts,
             courses,
             rules,
+            clones,
+            roster,
+            marks,
+            records,
             exercises,
             sheets,
             hints,
@@ -168,6 +179,8 @@ class Server(
                     grades(grades)
                     exercises(exercises, sheets::starter, rules::of, submissions::standingOf)
                     exerciseRules(courses, rules, exercises.all.map { it.id() }) { exercises.named(it) }
+                    clones(courses, clones)
+                    studentRecords(records, exercises::ending)
                     hints(exercises, hints, courses)
                     submissions(exercises, intake, queue, choices)
                     results(results, live)

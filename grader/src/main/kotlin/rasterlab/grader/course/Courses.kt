@@ -51,7 +51,8 @@ class Courses(
     ): Course {
         val request = Repeatable("courses ${by.id}", key, name.text)
         return database.write { handle ->
-            request.made(handle)?.let { course(handle, "id", it) } ?: insert(handle, name, request)
+            request.made(handle)?.let { course(handle, "id", it) }
+                ?: insert(handle, name, clock.instant()).also { request.remember(handle, it.id, clock.instant()) }
         }
     }
 
@@ -101,40 +102,40 @@ class Courses(
     /** Reads what rosters said of each student of a course, by the student's id. */
     fun rosterFields(course: String): Map<String, Map<String, String>> = database.read { rosterFields(it, course) }
 
-    private fun insert(
-        handle: Handle,
-        name: Name,
-        request: Repeatable,
-    ): Course {
-        val course = Course(Secrets.newId(), name.text, Secrets.newCode(CODE_LENGTH))
-        handle
-            .createUpdate("INSERT INTO courses (id, name, code, created_at) VALUES (:id, :name, :code, :now)")
-            .bind("id", course.id)
-            .bind("name", course.name)
-            .bind("code", course.code)
-            .bind("now", clock.instant().text())
-            .execute()
-        request.remember(handle, course.id, clock.instant())
-        return course
-    }
-
-    private fun course(
-        handle: Handle,
-        column: String,
-        value: String,
-    ): Course? = rows(select(handle, "WHERE $column = :value").bind("value", value)).findOne().getOrNull()
-
-    private fun select(
-        handle: Handle,
-        condition: String,
-    ): Query = handle.createQuery("SELECT id, name, code FROM courses $condition ORDER BY created_at DESC")
-
-    private fun rows(query: Query) =
-        query.map { row, _ -> Course(row.getString("id"), row.getString("name"), row.getString("code")) }
-
     internal companion object {
         /** 40 bits, and guesses are counted. */
         private const val CODE_LENGTH = 8
+
+        /** A new course, with a code of its own. */
+        fun insert(
+            handle: Handle,
+            name: Name,
+            now: Instant,
+        ): Course {
+            val course = Course(Secrets.newId(), name.text, Secrets.newCode(CODE_LENGTH))
+            handle
+                .createUpdate("INSERT INTO courses (id, name, code, created_at) VALUES (:id, :name, :code, :now)")
+                .bind("id", course.id)
+                .bind("name", course.name)
+                .bind("code", course.code)
+                .bind("now", now.text())
+                .execute()
+            return course
+        }
+
+        fun course(
+            handle: Handle,
+            column: String,
+            value: String,
+        ): Course? = rows(select(handle, "WHERE $column = :value").bind("value", value)).findOne().getOrNull()
+
+        private fun select(
+            handle: Handle,
+            condition: String,
+        ): Query = handle.createQuery("SELECT id, name, code FROM courses $condition ORDER BY created_at DESC")
+
+        private fun rows(query: Query) =
+            query.map { row, _ -> Course(row.getString("id"), row.getString("name"), row.getString("code")) }
 
         /** The students of a course in the order of their names. */
         fun enrolled(

@@ -11,7 +11,8 @@ import rasterlab.grader.problem.bodyType
 import rasterlab.grader.problem.receiveAtMost
 import rasterlab.grader.problem.respondJson
 
-private const val ROSTER_BYTES = 1 shl 20
+/** The most bytes that a roster may have. */
+internal const val ROSTER_BYTES = 1 shl 20
 
 @Serializable
 private data class AddedAnswer(

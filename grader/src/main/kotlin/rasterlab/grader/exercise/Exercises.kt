@@ -17,6 +17,9 @@ class Exercises(
 
     fun named(id: String): Exercise = byId[id] ?: throw Rejection.UnknownExercise(id)
 
+    /** How the name of a file ends that is handed in for an exercise, which may be gone. */
+    fun ending(id: String): String = find(id)?.form()?.ending() ?: "txt"
+
     /** Finds an exercise for work that was accepted when the catalogue may have been another. */
     fun find(id: String): Exercise? = byId[id]
 

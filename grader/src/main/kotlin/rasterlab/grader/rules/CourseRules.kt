@@ -81,15 +81,7 @@ class CourseRules(
         }
 
     /** The rules of a course for everybody, by exercise. */
-    fun ofCourse(course: Course): Map<String, ExerciseRules> =
-        database.read { handle ->
-            handle
-                .createQuery("SELECT * FROM course_exercises WHERE course_id = :course ORDER BY exercise")
-                .bind("course", course.id)
-                .map { row, _ -> row.getString("exercise") to ExerciseRules.of(row) }
-                .list()
-                .toMap()
-        }
+    fun ofCourse(course: Course): Map<String, ExerciseRules> = database.read { ofCourse(it, course) }
 
     /**
      * Changes the rules of an exercise.
@@ -111,30 +103,6 @@ class CourseRules(
             }
             after
         }
-
-    private fun store(
-        handle: Handle,
-        course: Course,
-        exercise: String,
-        rules: ExerciseRules,
-    ) {
-        handle
-            .createUpdate(
-                """INSERT INTO course_exercises (course_id, exercise, opens_at, due_at, zone, late_days, attempts, policy)
-                   VALUES (:course, :exercise, :opens, :due, :zone, :days, :attempts, :policy)
-                   ON CONFLICT (course_id, exercise) DO UPDATE SET opens_at = excluded.opens_at, due_at = excluded.due_at,
-                       zone = excluded.zone, late_days = excluded.late_days, attempts = excluded.attempts,
-                       policy = excluded.policy""",
-            ).bind("course", course.id)
-            .bind("exercise", exercise)
-            .bind("opens", rules.opens?.text())
-            .bind("due", rules.due?.text())
-            .bind("zone", rules.zone.named())
-            .bind("days", rules.lateDays)
-            .bind("attempts", rules.attempts)
-            .bind("policy", rules.policy.code)
-            .execute()
-    }
 
     /** The extensions of a course. */
     fun extensions(course: Course): List<Extension> =
@@ -268,6 +236,43 @@ class CourseRules(
         private const val OF_STUDENTS =
             """students JOIN course_exercises AS rules ON rules.course_id = students.course_id
                LEFT JOIN extensions ON extensions.student_id = students.id AND extensions.exercise = rules.exercise"""
+
+        /** The rules of a course for everybody, by exercise, within a transaction. */
+        internal fun ofCourse(
+            handle: Handle,
+            course: Course,
+        ): Map<String, ExerciseRules> =
+            handle
+                .createQuery("SELECT * FROM course_exercises WHERE course_id = :course ORDER BY exercise")
+                .bind("course", course.id)
+                .map { row, _ -> row.getString("exercise") to ExerciseRules.of(row) }
+                .list()
+                .toMap()
+
+        /** Puts rules in the place of those that an exercise had in a course. */
+        internal fun store(
+            handle: Handle,
+            course: Course,
+            exercise: String,
+            rules: ExerciseRules,
+        ) {
+            handle
+                .createUpdate(
+                    """INSERT INTO course_exercises (course_id, exercise, opens_at, due_at, zone, late_days, attempts, policy)
+                       VALUES (:course, :exercise, :opens, :due, :zone, :days, :attempts, :policy)
+                       ON CONFLICT (course_id, exercise) DO UPDATE SET opens_at = excluded.opens_at, due_at = excluded.due_at,
+                           zone = excluded.zone, late_days = excluded.late_days, attempts = excluded.attempts,
+                           policy = excluded.policy""",
+                ).bind("course", course.id)
+                .bind("exercise", exercise)
+                .bind("opens", rules.opens?.text())
+                .bind("due", rules.due?.text())
+                .bind("zone", rules.zone.named())
+                .bind("days", rules.lateDays)
+                .bind("attempts", rules.attempts)
+                .bind("policy", rules.policy.code)
+                .execute()
+        }
 
         /** The rules of an exercise for a student, within a transaction. */
         fun of(

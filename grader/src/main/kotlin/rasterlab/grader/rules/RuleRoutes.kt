@@ -104,7 +104,8 @@ private fun told(body: JsonFields): Map<RuleField, String> =
         if (node.isNull) "" else node.asText(node.toString())
     }
 
-private fun ApplicationCall.course(courses: Courses): Course {
+/** The course that the address names by its id or its code. */
+internal fun ApplicationCall.course(courses: Courses): Course {
     val told = parameters.getOrFail("course")
     return courses.find(told) ?: throw Rejection.UnknownCourse(told)
 }

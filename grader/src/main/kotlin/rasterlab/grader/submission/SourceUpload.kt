@@ -34,10 +34,10 @@ fun sourceOf(bytes: ByteArray): String {
     return text
 }
 
-/** The fields of a form, in order. */
-internal suspend fun ApplicationCall.receiveFields(): List<FormField> {
+/** The fields of a form, in order; its files and texts may have [most] bytes together. */
+internal suspend fun ApplicationCall.receiveFields(most: Int = 2 * LONGEST_SOURCE_BYTES): List<FormField> {
     bodyType(ContentType.MultiPart.FormData)
-    return formFields(receiveAtMost(2 * LONGEST_SOURCE_BYTES + FORM_EXTRA_BYTES), request.contentType())
+    return formFields(receiveAtMost(most + FORM_EXTRA_BYTES), request.contentType())
 }
 
 /** The content of the form's field `source`; of several, the first that is not empty. */

@@ -107,6 +107,22 @@ class Submissions(
 
     fun latest(): List<Listed> = list("", emptyMap())
 
+    /** The latest of a student, of all exercises. */
+    fun allOf(student: String): List<Listed> = list("WHERE s.student_id = :student", mapOf("student" to student))
+
+    /** How much each student of a course has handed in, by the student's id. */
+    fun countsOf(course: String): Map<String, Int> =
+        database.read { handle ->
+            handle
+                .createQuery(
+                    """SELECT student_id, count(*) AS made FROM submissions JOIN students ON students.id = student_id
+                       WHERE course_id = :course GROUP BY student_id""",
+                ).bind("course", course)
+                .map { row, _ -> row.getString("student_id") to row.getInt("made") }
+                .list()
+                .toMap()
+        }
+
     private fun list(
         condition: String,
         bindings: Map<String, Any>,

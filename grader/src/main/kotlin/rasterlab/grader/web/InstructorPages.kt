@@ -149,7 +149,11 @@ private fun FlowContent.courseList(
                     +"${texts.say("instructor.code")}: "
                     code("code") { +course.code }
                 }
-                a("/instructor/courses/${course.id}/exercises") { +texts.say("instructor.rules") }
+                p("ways") {
+                    a("/instructor/courses/${course.id}/students") { +texts.say("instructor.roster") }
+                    a("/instructor/courses/${course.id}/exercises") { +texts.say("instructor.rules") }
+                    a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }
+                }
                 details {
                     summary { +texts.say("instructor.students", students.size) }
                     studentList(texts, students)

@@ -11,14 +11,18 @@ import io.ktor.server.routing.Route
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.RosterImport
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.report.Results
+import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.student.StudentRecords
 import rasterlab.grader.submission.Choices
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.Marks
 import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.Submissions
 import java.time.InstantSource
@@ -37,6 +41,9 @@ fun Route.pages(
     resultPages(accounts, exercises, submissions, results)
     instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
     rulesPages(accounts, courses, exercises, rules)
+    rosterPages(accounts, courses, roster, submissions, marks)
+    studentPages(accounts, exercises, submissions, records)
+    clonePages(accounts, courses, clones)
 }
 
 /** The services that the pages ask. */
@@ -44,6 +51,10 @@ class PageParts(
     val accounts: Accounts,
     val courses: Courses,
     val rules: CourseRules,
+    val clones: CourseClones,
+    val roster: RosterImport,
+    val marks: Marks,
+    val records: StudentRecords,
     val exercises: Exercises,
     val sheets: Sheets,
     val hints: Hints,

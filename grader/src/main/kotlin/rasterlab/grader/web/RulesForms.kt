@@ -85,7 +85,7 @@ internal fun FlowContent.extensionForms(
     given: List<Extension>,
     held: ExerciseRules,
     typed: Parameters?,
-) = section("card") {
+) = section("card apart") {
     h2 { +texts.say("rules.extensions") }
     if (given.isEmpty()) p { +texts.say("rules.extensions.none") }
     ul {

@@ -69,7 +69,8 @@ fun Route.rulesPages(
 
 private fun ApplicationCall.exerciseOf(exercises: Exercises) = exercises.named(parameters.getOrFail("id"))
 
-private fun ApplicationCall.courseOf(courses: Courses): Course {
+/** The course that the address names. */
+internal fun ApplicationCall.courseOf(courses: Courses): Course {
     val told = parameters.getOrFail("course")
     return courses.find(told) ?: throw Rejection.UnknownCourse(told)
 }
@@ -92,7 +93,7 @@ private suspend fun ApplicationCall.respondRules(
                 thead {
                     tr {
                         th { +texts.say("rules.exercise") }
-                        (RuleField.entries - RuleField.ZONE).forEach { th { +texts.say("rules.${it.code}") } }
+                        (RuleField.entries - RuleField.ZONE).forEach { th { +texts.say("rules.column.${it.code}") } }
                     }
                 }
                 tbody {

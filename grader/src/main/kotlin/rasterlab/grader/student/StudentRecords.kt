@@ -1,0 +1,266 @@
+// What is kept about one student: given out whole, or deleted for good. Start with StudentRecords.
+package rasterlab.grader.student
+
+import kotlinx.serialization.Serializable
+import org.jdbi.v3.core.Handle
+import rasterlab.grader.course.AuditNote
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.storage.Database
+import java.sql.ResultSet
+import java.time.InstantSource
+import kotlin.jvm.optionals.getOrNull
+
+/** A result of a submission; what hidden cases found stays with the exercise. */
+@Serializable
+data class KeptResult(
+    val run: Int,
+    val current: Boolean,
+    val revision: String,
+    val verdict: String,
+    val accuracy: Int,
+    val stability: Int,
+    val speed: Int,
+    val of: Int,
+    val gradedAt: String,
+)
+
+@Serializable
+data class KeptSubmission(
+    val id: String,
+    val exercise: String,
+    val revision: String,
+    val attempt: Int,
+    val receivedAt: String,
+    val deadline: String?,
+    val hintCost: Int,
+    val chosen: Boolean,
+    val source: String,
+    val results: List<KeptResult>,
+)
+
+@Serializable
+data class KeptHint(
+    val exercise: String,
+    val step: Int,
+    val cost: Int,
+    val takenAt: String,
+)
+
+@Serializable
+data class KeptExtension(
+    val exercise: String,
+    val deadline: String,
+    val reason: String,
+)
+
+@Serializable
+data class KeptComment(
+    val submission: String,
+    val line: Int?,
+    val text: String,
+    val writtenAt: String,
+)
+
+/**
+ * Everything that is kept about a student.
+ *
+ * @param roster what rosters said, by the meaning of the column
+ */
+@Serializable
+data class KeptStudent(
+    val student: String,
+    val course: String,
+    val courseName: String,
+    val number: Int,
+    val name: String,
+    val shownName: String,
+    val joinedAt: String,
+    val roster: Map<String, String>,
+    val extensions: List<KeptExtension>,
+    val hints: List<KeptHint>,
+    val submissions: List<KeptSubmission>,
+    val comments: List<KeptComment>,
+)
+
+/** Gives out, and deletes, what is kept about one student. Tokens are kept as hashes only, and are not given out. */
+class StudentRecords(
+    private val database: Database,
+    private val clock: InstantSource,
+) {
+    /**
+     * Reads everything that is kept.
+     *
+     * @param by who asks, for the audit
+     * @throws Rejection.UnknownStudent
+     */
+    fun export(
+        student: String,
+        by: String,
+    ): KeptStudent =
+        database.write { handle ->
+            val kept = read(handle, student)
+            note(handle, student, by, "export", kept)
+            kept
+        }
+
+    /** The same for a page, without a note of it. */
+    fun look(student: String): KeptStudent = database.read { read(it, student) }
+
+    /**
+     * Deletes the student and all that belongs to them; the audit keeps the id, which names nobody then.
+     *
+     * @return what was deleted
+     */
+    fun delete(
+        student: String,
+        by: String,
+    ): KeptStudent =
+        database.write { handle ->
+            val kept = read(handle, student)
+            note(handle, student, by, "delete", kept)
+            for (statement in DELETIONS) handle.createUpdate(statement).bind("student", student).execute()
+            kept
+        }
+
+    private fun note(
+        handle: Handle,
+        student: String,
+        by: String,
+        action: String,
+        kept: KeptStudent,
+    ) {
+        val detail = "number ${kept.number}, submissions ${kept.submissions.size}"
+        AuditNote(by, kept.course, action, student, detail).write(handle, clock.instant())
+    }
+
+    private fun read(
+        handle: Handle,
+        student: String,
+    ): KeptStudent {
+        val results =
+            handle
+                .rows(
+                    "SELECT r.* FROM results r JOIN submissions s ON s.id = r.submission_id $OWN ORDER BY run",
+                    student,
+                ) { it.getString("submission_id") to result(it) }
+                .groupBy({ it.first }, { it.second })
+        return handle
+            .rows(
+                """SELECT students.*, courses.name AS course_name FROM students JOIN courses ON courses.id = course_id
+                   WHERE students.id = :student""",
+                student,
+            ) { row ->
+                KeptStudent(
+                    student,
+                    row.getString("course_id"),
+                    row.getString("course_name"),
+                    row.getInt("number"),
+                    row.getString("name"),
+                    row.getString("shown_name"),
+                    row.getString("joined_at"),
+                    emptyMap(),
+                    emptyList(),
+                    emptyList(),
+                    emptyList(),
+                    emptyList(),
+                )
+            }.singleOrNull()
+            ?.copy(
+                roster = handle.of("roster_fields", "kind", student, ::field).toMap(),
+                extensions = handle.of("extensions", "exercise", student, ::extension),
+                hints = handle.of("hints", "taken_at", student, ::hint),
+                submissions = handle.of("submissions", "sequence", student) { submission(it, results) },
+                comments =
+                    handle.rows(
+                        "SELECT c.* FROM comments c JOIN submissions s ON s.id = c.submission_id $OWN ORDER BY written_at",
+                        student,
+                        ::comment,
+                    ),
+            ) ?: throw Rejection.UnknownStudent(student)
+    }
+
+    private fun <T> Handle.of(
+        table: String,
+        order: String,
+        student: String,
+        read: (ResultSet) -> T,
+    ): List<T> = rows("SELECT * FROM $table WHERE student_id = :student ORDER BY $order", student, read)
+
+    private fun <T> Handle.rows(
+        sql: String,
+        student: String,
+        read: (ResultSet) -> T,
+    ): List<T> =
+        createQuery(sql)
+            .bind("student", student)
+            .map { row, _ -> listOf(read(row)) }
+            .list()
+            .flatten()
+
+    private fun field(row: ResultSet) = row.getString("kind") to row.getString("value")
+
+    private fun extension(row: ResultSet) =
+        KeptExtension(row.getString("exercise"), row.getString("due_at"), row.getString("reason"))
+
+    private fun hint(row: ResultSet) =
+        KeptHint(row.getString("exercise"), row.getInt("step"), row.getInt("cost"), row.getString("taken_at"))
+
+    private fun comment(row: ResultSet) =
+        KeptComment(
+            row.getString("submission_id"),
+            row.getInt("line").takeUnless { row.wasNull() },
+            row.getString("text"),
+            row.getString("written_at"),
+        )
+
+    private fun result(row: ResultSet) =
+        KeptResult(
+            row.getInt("run"),
+            row.getInt("is_current") == 1,
+            row.getString("revision"),
+            row.getString("verdict"),
+            row.getInt("accuracy"),
+            row.getInt("stability"),
+            row.getInt("speed"),
+            row.getInt("points_of"),
+            row.getString("graded_at"),
+        )
+
+    private fun submission(
+        row: ResultSet,
+        results: Map<String, List<KeptResult>>,
+    ) = KeptSubmission(
+        row.getString("id"),
+        row.getString("exercise"),
+        row.getString("revision"),
+        row.getInt("attempt"),
+        row.getString("received_at"),
+        row.getString("due_at"),
+        row.getInt("hint_cost"),
+        row.getInt("is_chosen") == 1,
+        row.getString("source"),
+        results[row.getString("id")].orEmpty(),
+    )
+
+    private companion object {
+        const val OWN = "WHERE s.student_id = :student"
+        const val THEIRS = "SELECT id FROM submissions WHERE student_id = :student"
+        const val RUNS = "SELECT id FROM results WHERE submission_id IN ($THEIRS)"
+
+        /** The requests that made the student, their submissions and their hints. */
+        const val MADE = "made = :student OR made IN ($THEIRS) OR owner = 'hints ' || :student"
+
+        /** Deletes what refers to something before that. */
+        val DELETIONS =
+            listOf("case_pictures", "case_results", "diagnostics", "speed_methods").map {
+                "DELETE FROM $it WHERE result_id IN ($RUNS)"
+            } +
+                listOf("results", "comments").map { "DELETE FROM $it WHERE submission_id IN ($THEIRS)" } +
+                "DELETE FROM idempotency_keys WHERE $MADE" +
+                listOf("submissions", "hints", "extensions", "roster_fields").map {
+                    "DELETE FROM $it WHERE student_id = :student"
+                } +
+                "DELETE FROM sessions WHERE account_id = :student" +
+                "DELETE FROM students WHERE id = :student"
+    }
+}

@@ -1,0 +1,259 @@
+package rasterlab.grader.web
+
+import io.ktor.http.HttpStatusCode
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.routing.post
+import kotlinx.html.FlowContent
+import kotlinx.html.FormEncType
+import kotlinx.html.FormMethod
+import kotlinx.html.InputType
+import kotlinx.html.TBODY
+import kotlinx.html.ThScope
+import kotlinx.html.a
+import kotlinx.html.button
+import kotlinx.html.code
+import kotlinx.html.div
+import kotlinx.html.form
+import kotlinx.html.h2
+import kotlinx.html.input
+import kotlinx.html.label
+import kotlinx.html.li
+import kotlinx.html.p
+import kotlinx.html.section
+import kotlinx.html.span
+import kotlinx.html.table
+import kotlinx.html.tbody
+import kotlinx.html.td
+import kotlinx.html.th
+import kotlinx.html.thead
+import kotlinx.html.tr
+import kotlinx.html.ul
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Course
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Enrolled
+import rasterlab.grader.course.Identity
+import rasterlab.grader.course.ROSTER_BYTES
+import rasterlab.grader.course.RosterChange
+import rasterlab.grader.course.RosterImport
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.submission.FormField
+import rasterlab.grader.submission.Marks
+import rasterlab.grader.submission.Submissions
+import rasterlab.grader.submission.receiveFields
+import java.util.Base64
+
+/** The field of the file that is sent, and that of the same file once more when its changes were seen. */
+private const val FILE = "roster"
+private const val SEEN = "seen"
+
+/** Shows an instructor who is in a course, and takes rosters: it tells what would change, and then changes it. */
+fun Route.rosterPages(
+    accounts: Accounts,
+    courses: Courses,
+    roster: RosterImport,
+    submissions: Submissions,
+    marks: Marks,
+) {
+    get("/instructor/courses/{course}/students") {
+        val who = call.instructorHere(accounts)
+        RosterDesk(call.courseOf(courses), courses, submissions, marks).show(call, who, refused = null)
+    }
+    post("/instructor/courses/{course}/students") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val desk = RosterDesk(call.courseOf(courses), courses, submissions, marks)
+        desk.showAgain(call, who)
+        val fields = call.receiveFields(2 * ROSTER_BYTES)
+        val seen = fields.content(SEEN)?.let(::unpacked)
+        val file = seen ?: fields.content(FILE) ?: throw Rejection.BadRoster("empty")
+        if (file.size > ROSTER_BYTES) throw Rejection.TooLarge(ROSTER_BYTES)
+        val change = roster.apply(desk.course, file, dry = seen == null, who.id)
+        if (seen == null) desk.preview(call, who, file, change) else desk.done(call, who, change)
+    }
+}
+
+private fun List<FormField>.content(name: String): ByteArray? =
+    firstOrNull { it.name == name }?.content?.takeIf { it.isNotEmpty() }
+
+private fun unpacked(seen: ByteArray): ByteArray =
+    try {
+        Base64.getDecoder().decode(seen)
+    } catch (misfit: IllegalArgumentException) {
+        throw Rejection.Malformed("the form's field '$SEEN' must be the one that the page has")
+    }
+
+/** The page of a course's students. */
+private class RosterDesk(
+    val course: Course,
+    private val courses: Courses,
+    private val submissions: Submissions,
+    private val marks: Marks,
+) {
+    private val address = "/instructor/courses/${course.id}/students"
+
+    fun showAgain(
+        call: ApplicationCall,
+        who: Identity.Instructor,
+    ) = call.attributes.put(
+        FORM_AGAIN,
+        FormAgain { status, code, added ->
+            show(call, who, Refused(status, code, added(call.texts().language)))
+        },
+    )
+
+    suspend fun show(
+        call: ApplicationCall,
+        who: Identity.Instructor,
+        refused: Refused?,
+    ) {
+        val texts = call.texts()
+        val students = courses.students(course.id).orEmpty()
+        val made = submissions.countsOf(course.id)
+        val points = marks.of(course.id).mapValues { it.value.values.sum() }
+        call.respondPage(texts, who, texts.say("roster.title", course.name), refused?.status ?: HttpStatusCode.OK) {
+            refused?.let { problem(texts, it.status, it.code, it.details) }
+            p { a("/instructor") { +texts.say("token.back") } }
+            if (students.isEmpty()) p { +texts.say("roster.none", course.code) }
+            if (students.isNotEmpty()) studentTable(texts, students, made, points)
+            upload(texts)
+        }
+    }
+
+    private fun FlowContent.upload(texts: PageTexts) =
+        section("card rostered") {
+            h2 { +texts.say("roster.upload") }
+            p { +texts.say("roster.about") }
+            form(address, method = FormMethod.post, encType = FormEncType.multipartFormData) {
+                label {
+                    span { +texts.say("roster.file") }
+                    input(InputType.file, name = FILE) {
+                        accept = ".csv,.txt,text/csv,text/plain"
+                        required = true
+                    }
+                }
+                button { +texts.say("roster.preview") }
+            }
+        }
+
+    suspend fun preview(
+        call: ApplicationCall,
+        who: Identity.Instructor,
+        file: ByteArray,
+        change: RosterChange,
+    ) {
+        val texts = call.texts()
+        call.respondPage(texts, who, texts.say("roster.changes.title", course.name)) {
+            p { +texts.say("roster.preview.about") }
+            changes(texts, change)
+            section("card rostered") {
+                if (change.added.isEmpty() && change.corrected.isEmpty()) {
+                    p { +texts.say("roster.nothing") }
+                } else {
+                    form(address, method = FormMethod.post, encType = FormEncType.multipartFormData) {
+                        input(InputType.hidden, name = SEEN) { value = Base64.getEncoder().encodeToString(file) }
+                        button { +texts.say("roster.apply") }
+                    }
+                }
+                p { a(address) { +texts.say("roster.back") } }
+            }
+        }
+    }
+
+    suspend fun done(
+        call: ApplicationCall,
+        who: Identity.Instructor,
+        change: RosterChange,
+    ) {
+        val texts = call.texts()
+        call.respondPage(texts, who, texts.say("roster.done.title", course.name)) {
+            if (change.added.isNotEmpty()) {
+                p { +texts.say("roster.tokens") }
+                rows(listOf(texts.say("table.student"), texts.say("roster.token"))) {
+                    change.added.forEach { one ->
+                        tr {
+                            td { +one.name }
+                            td { code("token") { +one.token.orEmpty() } }
+                        }
+                    }
+                }
+            }
+            changes(texts, change.copy(added = emptyList()))
+            p { a(address, classes = "button") { +texts.say("roster.back") } }
+        }
+    }
+}
+
+private fun FlowContent.studentTable(
+    texts: PageTexts,
+    students: List<Enrolled>,
+    made: Map<String, Int>,
+    points: Map<String, Int>,
+) {
+    fun said(vararg columns: String) = columns.map { texts.say("roster.column.$it") }
+    val numbers = said("number", "attempts", "points").toSet()
+    rows(said("number", "student", "attempts", "points", "entry"), numbers) {
+        students.forEach { student ->
+            tr {
+                td("number") { +"${student.number}" }
+                td { a("/instructor/students/${student.id}") { +student.shownName } }
+                td("number") { +"${made[student.id] ?: 0}" }
+                td("number") { +(points[student.id]?.toString() ?: "–") }
+                td {
+                    form("/instructor/students/${student.id}/token", method = FormMethod.post) {
+                        button(classes = "plain") {
+                            attributes["aria-label"] = "${texts.say("instructor.token")}: ${student.shownName}"
+                            +texts.say("instructor.token")
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+private fun FlowContent.rows(
+    columns: List<String>,
+    numbers: Set<String> = emptySet(),
+    content: TBODY.() -> Unit,
+) = div("scroll") {
+    table("students") {
+        thead {
+            tr {
+                columns.forEach { column ->
+                    th(scope = ThScope.col, classes = if (column in numbers) "number" else null) { +column }
+                }
+            }
+        }
+        tbody { content() }
+    }
+}
+
+/** Tells what a roster changes, a list for each kind of change. */
+private fun FlowContent.changes(
+    texts: PageTexts,
+    change: RosterChange,
+) {
+    list(texts.say("roster.added", change.added.size), change.added.map { it.name })
+    list(
+        texts.say("roster.corrected", change.corrected.size),
+        change.corrected.map { one ->
+            val name = if (one.from == one.to) one.to else "${one.from} → ${one.to}"
+            val fields = one.fields.joinToString { texts.say("roster.field.$it") }
+            if (fields.isEmpty()) name else "$name ($fields)"
+        },
+    )
+    list(texts.say("roster.missing", change.missing.size), change.missing.map { it.shownName })
+    if (change.unchanged > 0) p { +texts.say("roster.unchanged", change.unchanged) }
+}
+
+private fun FlowContent.list(
+    heading: String,
+    lines: List<String>,
+) {
+    if (lines.isEmpty()) return
+    h2 { +heading }
+    ul { lines.forEach { li { +it } } }
+}

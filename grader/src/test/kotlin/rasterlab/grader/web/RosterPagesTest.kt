@@ -1,0 +1,124 @@
+package rasterlab.grader.web
+
+import io.ktor.client.request.forms.FormPart
+import io.ktor.client.request.forms.MultiPartFormDataContent
+import io.ktor.client.request.forms.formData
+import io.ktor.client.request.get
+import io.ktor.client.request.header
+import io.ktor.client.request.post
+import io.ktor.client.request.setBody
+import io.ktor.client.statement.HttpResponse
+import io.ktor.client.statement.bodyAsText
+import io.ktor.http.HttpHeaders
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import rasterlab.grader.Classroom
+import rasterlab.grader.Visit
+import rasterlab.grader.cookieOf
+import rasterlab.grader.json
+import rasterlab.grader.text
+import java.nio.file.Path
+
+/** The page of a course's students, and the roster that is taken there. */
+@Tag("slow")
+class RosterPagesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    @DisplayName("a roster changes something before that is confirmed, or what is confirmed is another than was shown")
+    fun changesWhatWasShownAndNoSooner() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            newStudent(course)
+            val page = "/instructor/courses/$course/students"
+            val roster = "Имя;Фамилия;Группа\nАда;Лавлейс;<b>1\n".toByteArray(charset("windows-1251"))
+            val preview = take(page, FormPart("roster", roster)).bodyAsText()
+            assertTrue("To be added: 1" in preview && "<li>Ада Лавлейс</li>" in preview, preview)
+            assertTrue("left as they are: 1" in preview && "<li>Ada</li>" in preview, preview)
+            assertEquals("1", count("students"))
+            val seen = checkNotNull(Regex("""name="seen" value="([^"]*)"""").find(preview)).groupValues[1]
+            val done = take(page, FormPart("seen", seen)).bodyAsText()
+            assertEquals("2", count("students"))
+            val token = checkNotNull(Regex("""<code class="token">([^<]*)</code>""").find(done)).groupValues[1]
+            assertEquals(200, look(token, "/api/v1/exercises").status.value, "the token lets nobody in")
+            assertFalse(token in show(page), "a token is shown again")
+            val again = take(page, FormPart("roster", roster)).bodyAsText()
+            assertTrue("The roster changes nothing." in again && "name=\"seen\"" !in again, again)
+        }
+
+    @Test
+    @DisplayName("a file that is no roster loses the page, changes something, or what is wrong is not told")
+    fun tellsWhatIsWrongWithAFile() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            newStudent(course)
+            val page = "/instructor/courses/$course/students"
+            for (part in listOf(FormPart("roster", "Mark\n5\n"), FormPart("roster", ""), FormPart("other", "x"))) {
+                val refused = take(page, part)
+                val told = refused.bodyAsText()
+                assertEquals(422, refused.status.value, told)
+                assertTrue("nothing was changed" in told && "name=\"roster\"" in told, told)
+            }
+            assertEquals(400, take(page, FormPart("seen", "!")).status.value)
+            assertEquals(403, take(page, FormPart("roster", "Name\nEve\n"), by = newStudent(course)).status.value)
+            assertEquals("2", count("students"))
+        }
+
+    @Test
+    @DisplayName("the page does not tell a student's number, attempts or points, or a course without students has none")
+    fun listsWhoIsThere() =
+        Classroom(folder).open {
+            val course = newCourse()
+            val page = "/instructor/courses/$course/students"
+            assertTrue("No student yet. Give them the code $course" in show(page), show(page))
+            val ada = newStudent(course)
+            newStudent(course)
+            repeat(2) {
+                val id = submit(ada, "class Dot { int n = $it; }").json().text("id")
+                eventsToTheEnd(ada, id)
+            }
+            val listed = show(page)
+            val cells = Regex("""<td class="number">([^<]*)</td>""").findAll(listed).map { it.groupValues[1] }.toList()
+            assertEquals(listOf("1", "2", "4", "2", "0", "–"), cells, listed)
+            assertTrue(">Ada (2)<" in listed, listed)
+            assertTrue(">Баллы</th>" in show("$page?lang=ru"))
+        }
+
+    private suspend fun Visit.show(path: String): String {
+        val cookie = cookieOf(instructor)
+        return client
+            .get(
+                if ('?' in
+                    path
+                ) {
+                    path
+                } else {
+                    "$path?lang=en"
+                },
+            ) { header(HttpHeaders.Cookie, cookie) }
+            .bodyAsText()
+    }
+
+    private suspend fun Visit.take(
+        path: String,
+        part: FormPart<*>,
+        by: String = instructor,
+    ): HttpResponse {
+        val cookie = cookieOf(by)
+        return client.post("$path?lang=en") {
+            header(HttpHeaders.Cookie, cookie)
+            header(HttpHeaders.Host, "localhost")
+            header(HttpHeaders.Origin, "http://localhost")
+            setBody(MultiPartFormDataContent(formData(part)))
+        }
+    }
+
+    private fun Visit.count(table: String): String =
+        database.read { it.createQuery("SELECT count(*) FROM $table").mapTo(String::class.java).one() }
+}
