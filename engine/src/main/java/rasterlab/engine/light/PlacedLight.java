@@ -87,6 +87,69 @@ final class PlacedLight {
         add(source.specular(), strength * Powers.of(mirrored, shininess), fallen, 6);
     }
 
+    /**
+     * Finds what falls on each of many points, the same numbers: the factors of the source's
+     * ambient, diffuse and specular shares.
+     */
+    void fallOn(FallenLight points, Reflection reflection, double shininess) {
+        for (int i = 0; i < points.count; i++)
+            if (directional) shine(points, i, x, y, z, 1, reflection);
+            else fallFromNear(points, i, reflection);
+        if (reflection != Reflection.LAMBERT) points.raise(shininess);
+    }
+
+    private void fallFromNear(FallenLight points, int i, Reflection reflection) {
+        double lx = x - points.x[i];
+        double ly = y - points.y[i];
+        double lz = z - points.z[i];
+        double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
+        double scale = distance > 0 ? 1 / distance : 0;
+        lx *= scale;
+        ly *= scale;
+        lz *= scale;
+        double strength = Math.min(attenuation.factor(distance), MOST);
+        if (coned) strength *= cone(-(lx * coneX + ly * coneY + lz * coneZ));
+        shine(points, i, lx, ly, lz, strength, reflection);
+    }
+
+    /** The specular factor is still to be multiplied by the power of the cosine. */
+    private static void shine(
+            FallenLight points,
+            int i,
+            double lx,
+            double ly,
+            double lz,
+            double strength,
+            Reflection reflection) {
+        double nx = points.nx[i];
+        double ny = points.ny[i];
+        double nz = points.nz[i];
+        double cosine = nx * lx + ny * ly + nz * lz;
+        boolean away = cosine <= 0;
+        points.ambient[i] = strength;
+        points.diffuse[i] = away ? 0 : strength * cosine;
+        boolean dull = away || reflection == Reflection.LAMBERT;
+        points.specular[i] = dull ? 0 : strength;
+        points.mirrored[i] =
+                dull
+                        ? 0
+                        : SpecularCosine.cosine(
+                                reflection,
+                                nx,
+                                ny,
+                                nz,
+                                lx,
+                                ly,
+                                lz,
+                                points.vx[i],
+                                points.vy[i],
+                                points.vz[i]);
+    }
+
+    LightSource source() {
+        return source;
+    }
+
     private double cone(double cosine) {
         return cosine >= rim ? Powers.of(cosine, exponent) : 0;
     }

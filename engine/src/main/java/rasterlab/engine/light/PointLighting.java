@@ -53,6 +53,16 @@ public final class PointLighting {
         return other;
     }
 
+    /** The same light on many fronts at once, for one thread, the eye where it is now. */
+    public BlockLighting forBlocks() {
+        return new BlockLighting(model, front, lights, eyeX, eyeY, eyeZ, eyeNear);
+    }
+
+    /** Whether a back is lit by itself; otherwise it is lit as the front is. */
+    public boolean twoSided() {
+        return model.twoSided();
+    }
+
     /**
      * Places the eye; until then it is infinitely far in the direction of z.
      *
@@ -192,7 +202,7 @@ public final class PointLighting {
         return material;
     }
 
-    private static double inverse(double square) {
+    static double inverse(double square) {
         return square > 0 ? 1 / Math.sqrt(square) : 0;
     }
 }
