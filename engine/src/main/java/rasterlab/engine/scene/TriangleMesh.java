@@ -52,6 +52,18 @@ public final class TriangleMesh {
         return new TriangleMesh(vertices.withColors(red, green, blue, alpha), triangles);
     }
 
+    /**
+     * Other triangles over the same vertices.
+     *
+     * @param other three vertex numbers for each triangle
+     * @throws IllegalArgumentException naming the triangle that breaks a rule
+     */
+    public TriangleMesh withTriangles(int[] other) {
+        int[] copy = other.clone();
+        TriangleMeshCheck.triangles(copy, vertexCount());
+        return new TriangleMesh(vertices, copy);
+    }
+
     public int vertexCount() {
         return vertices.count();
     }

@@ -57,7 +57,7 @@ class BlockLightingTest {
                 argumentSet(
                         "a point that turns away has a highlight",
                         Reflection.BLINN_PHONG,
-                        32.0,
+                        2.0,
                         new Light[] {SUN}),
                 argumentSet(
                         "a shininess of 0 lights what turns away",
@@ -77,7 +77,7 @@ class BlockLightingTest {
                         7.0,
                         new Light[] {SUN, BULB, SPOT}),
                 argumentSet(
-                        "without lights the last block's light stays",
+                        "without lights the light from everywhere is left out",
                         Reflection.BLINN_PHONG,
                         7.0,
                         new Light[0]));

@@ -2,12 +2,8 @@ package rasterlab.engine.pipeline.direct;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
 import rasterlab.engine.pipeline.paint.FaceLights;
-import rasterlab.engine.scene.FaceMiddle;
-import rasterlab.engine.visibility.ViewedMesh;
 
 /**
  * The faces of a scene in the order of drawing, in batches of one finish: all that is opaque, then
@@ -29,28 +25,35 @@ final class Batches {
      */
     static List<Batch> of(
             FaceLights lights, boolean[] opaque, boolean[] drawn, boolean[] atPixels) {
+        int[][] kinds = kinds(lights, opaque, drawn, atPixels);
         List<Batch> batches = new ArrayList<>();
-        for (int i = 0; i < lights.scene().finishes().size(); i++)
-            for (boolean exact : new boolean[] {false, true}) {
-                int finish = i;
-                int[] faces =
-                        IntStream.range(0, opaque.length)
-                                .filter(f -> opaque[f] && drawn[f] && atPixels[f] == exact)
-                                .filter(f -> lights.finishOf(f) == finish)
-                                .toArray();
-                if (faces.length > 0) batches.add(new Batch(finish, true, exact, faces));
-            }
-        addRuns(lights, farthestFirst(lights.view(), opaque, drawn), atPixels, batches);
+        for (int kind = 0; kind + 1 < kinds.length; kind++)
+            if (kinds[kind].length > 0)
+                batches.add(new Batch(kind / 2, true, kind % 2 == 1, kinds[kind]));
+        int[] glass = kinds[kinds.length - 1];
+        addRuns(lights, FarthestFirst.sorted(lights.view(), glass), atPixels, batches);
         return batches;
     }
 
-    private static int[] farthestFirst(ViewedMesh view, boolean[] opaque, boolean[] drawn) {
-        return IntStream.range(0, opaque.length)
-                .filter(f -> !opaque[f] && drawn[f])
-                .boxed()
-                .sorted(Comparator.comparingDouble(f -> -FaceMiddle.of(view.mesh(), f, view::eyeZ)))
-                .mapToInt(Integer::intValue)
-                .toArray();
+    /**
+     * The drawn faces in ascending order: opaque ones of each finish, those whose light is mixed
+     * from the corners before the others, then all transparent ones.
+     */
+    private static int[][] kinds(
+            FaceLights lights, boolean[] opaque, boolean[] drawn, boolean[] atPixels) {
+        int glass = 2 * lights.scene().finishes().size();
+        int[] kindOf = new int[opaque.length];
+        int[] counts = new int[glass + 1];
+        for (int f = 0; f < opaque.length; f++) {
+            if (!drawn[f]) continue;
+            kindOf[f] = opaque[f] ? 2 * lights.finishOf(f) + (atPixels[f] ? 1 : 0) : glass;
+            counts[kindOf[f]]++;
+        }
+        int[][] kinds = new int[glass + 1][];
+        for (int kind = 0; kind <= glass; kind++) kinds[kind] = new int[counts[kind]];
+        for (int f = opaque.length - 1; f >= 0; f--)
+            if (drawn[f]) kinds[kindOf[f]][--counts[kindOf[f]]] = f;
+        return kinds;
     }
 
     private static void addRuns(

@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.direct;
 
+import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.TextureMode;
@@ -51,11 +52,20 @@ public record DirectLook(Light light, TextureMode texture, Savings savings) {
 
     /** Whether each face hides all that is behind it. */
     boolean[] opaque(FaceLights lights) {
+        List<Appearance> finishes = lights.scene().finishes();
+        var front = new boolean[finishes.size()];
+        var back = new boolean[finishes.size()];
+        for (int i = 0; i < front.length; i++) {
+            Appearance finish = finishes.get(i);
+            boolean covers = laid(finish).map(LaidTexture::opaque).orElse(true);
+            front[i] = covers && finish.front().alpha() == 1;
+            back[i] = covers && finish.back().alpha() == 1;
+        }
         var opaque = new boolean[lights.mesh().faceCount()];
-        for (int f = 0; f < opaque.length; f++)
-            opaque[f] =
-                    lights.seenMaterial(f).alpha() == 1
-                            && laid(lights.scene().finish(f)).map(LaidTexture::opaque).orElse(true);
+        for (int f = 0; f < opaque.length; f++) {
+            boolean ownBack = lights.twoSided() && lights.seenFromBehind(f);
+            opaque[f] = (ownBack ? back : front)[lights.finishOf(f)];
+        }
         return opaque;
     }
 }

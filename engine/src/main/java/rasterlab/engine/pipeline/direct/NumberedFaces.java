@@ -5,7 +5,6 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import rasterlab.engine.pipeline.fast.Surface;
 import rasterlab.engine.pipeline.fast.TrianglePipeline;
-import rasterlab.engine.pipeline.fast.VertexColors;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.FacePaint;
@@ -30,14 +29,10 @@ public final class NumberedFaces implements Visibility {
         var numbers = new Raster(out.width(), out.height());
         int[] faces = IntStream.range(0, view.mesh().faceCount()).toArray();
         int[] colours = IntStream.of(faces).map(face -> 0xFF000000 | face + 1).toArray();
+        var packed = PackedFaces.apart(view.mesh(), faces);
+        var surface = new Surface.Flat(new FaceTint(packed, colours));
         try (var pipeline = new TrianglePipeline()) {
-            pipeline.drawOn(
-                    0,
-                    new FaceTriangles(view.mesh(), faces).flat(colours),
-                    space.view(),
-                    new Surface.Flat(VertexColors.own()),
-                    numbers,
-                    cancelled);
+            pipeline.drawOn(0, packed.triangles(), space.view(), surface, numbers, cancelled);
         }
         long pixels = 0;
         for (int y = 0; y < out.height(); y++) {

@@ -11,6 +11,9 @@ public final class VertexBlock {
     /** Vertices in use. */
     public int count;
 
+    /** The mesh's number of the first of them; the others follow it. */
+    public int first;
+
     /** Eye space: x right, y up, −z forward. */
     public final float[] x = new float[SIZE];
 

@@ -58,6 +58,7 @@ final class VertexStage {
 
     private void fill(FrameState frame, int from, int end) {
         block.count = end - from;
+        block.first = from;
         take(frame.mesh, VertexQuantity.X, from);
         putDepths(frame, from);
         if (frame.needsEye()) toEye(frame, from);

@@ -106,6 +106,11 @@ public final class FaceLights {
         return scene.finishNumber(face);
     }
 
+    /** Whether a back is lit by itself; otherwise it is lit as the front is. */
+    public boolean twoSided() {
+        return twoSided;
+    }
+
     /** Whether the picture shows a face's back. */
     public boolean seenFromBehind(int face) {
         return view.seenFromInside(face);
