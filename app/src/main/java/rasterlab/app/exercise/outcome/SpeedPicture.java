@@ -8,7 +8,7 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.study.chart.SpeedChart;
+import rasterlab.app.study.front.SpeedChart;
 
 /** A program's point on its topic's chart, painted anew for each place and each theme. */
 public final class SpeedPicture implements PaintedPicture {
@@ -19,7 +19,7 @@ public final class SpeedPicture implements PaintedPicture {
     static final Dimension SHAPE = new Dimension(24, 16);
 
     /** A chart in a smaller place is painted so large in its own units, and made smaller. */
-    private static final Dimension LEAST = new Dimension(360, 240);
+    private static final Dimension LEAST = new Dimension(600, 400);
 
     private final SpeedChart chart;
     private Optional<Painted> painted = Optional.empty();

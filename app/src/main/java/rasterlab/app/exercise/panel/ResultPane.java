@@ -27,7 +27,7 @@ import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.outcome.SpeedPicture;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.chart.SpeedChart;
+import rasterlab.app.study.front.SpeedChart;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.scene.MethodCase;

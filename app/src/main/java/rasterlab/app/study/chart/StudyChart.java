@@ -1,6 +1,5 @@
 package rasterlab.app.study.chart;
 
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Collection;
@@ -24,9 +23,6 @@ import rasterlab.engine.study.Study;
 
 /** A study as a chart: cost to the right, error upwards, a line through each method's sizes. */
 public final class StudyChart {
-    /** The most of a narrow chart's width that its title takes. */
-    private static final double TITLE = 0.75;
-
     private StudyChart() {}
 
     /** The chart as a picture. */
@@ -43,30 +39,11 @@ public final class StudyChart {
         note.paint(graphics, height);
     }
 
-    /** A title in the middle over the plot must not end outside the chart. */
-    static void fitTitle(XYChart chart, int width, Graphics2D graphics) {
-        XYStyler styler = chart.getStyler();
-        Font font = styler.getChartTitleFont();
-        int wide = graphics.getFontMetrics(font).stringWidth(chart.getTitle());
-        float share = (float) Math.min(1, TITLE * width / wide);
-        styler.setChartTitleFont(font.deriveFont(share * font.getSize2D()));
-    }
-
     static XYChart chart(Study study, StudyWords words) {
         return chart(study, words, ChartLook.PAPER);
     }
 
-    static XYChart chart(Study study, StudyWords words, ChartLook paper) {
-        return chart(study, words, paper, point -> words.size(study, point));
-    }
-
-    /**
-     * The chart with words beside the first and the last point of each line.
-     *
-     * @param beside what these are
-     */
-    static XYChart chart(
-            Study study, StudyWords words, ChartLook paper, Function<Measurement, String> beside) {
+    private static XYChart chart(Study study, StudyWords words, ChartLook paper) {
         var costs = CostAxis.over(points(study));
         var errors = ErrorAxis.over(points(study));
         var sizes = new SizeLabels(paper.ground());
@@ -80,7 +57,7 @@ public final class StudyChart {
                         (method, look) -> {
                             for (List<Measurement> line : lines(method, points(study))) {
                                 add(chart, words.called(method), look, line, errors);
-                                label(sizes, look, line, errors, beside);
+                                label(sizes, look, line, errors, point -> words.size(study, point));
                             }
                         });
         sizes.avoidEdge(errors.border());

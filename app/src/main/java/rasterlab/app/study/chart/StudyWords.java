@@ -19,6 +19,8 @@ import rasterlab.engine.study.Verdict;
 
 /** The words of a chart or a table of a study, in one language. */
 public final class StudyWords {
+    private static final String RATIO = "chart.ratio";
+
     private final Texts texts;
     private final TopicNames called;
     private final WorkloadWords workloads;
@@ -39,6 +41,11 @@ public final class StudyWords {
     /** The words of a chart whose costs were counted, not timed. */
     public static StudyWords ofCounts(Language language) {
         return new StudyWords(language, "chart.counted");
+    }
+
+    /** The words of a chart whose costs are multiples of a reference's time. */
+    public static StudyWords ofRatios(Language language) {
+        return new StudyWords(language, RATIO);
     }
 
     /** The locale of numbers with fractions. */
@@ -110,11 +117,6 @@ public final class StudyWords {
         return texts.text(costKey + ".brief", item(study));
     }
 
-    /** The axis's words for times that are multiples of the reference's. */
-    public String ratioAxis(Study study) {
-        return texts.text("chart.ratio", item(study));
-    }
-
     /** A method with its time and its error. */
     public String point(Measurement point) {
         double error = point.error().worst();
@@ -143,7 +145,11 @@ public final class StudyWords {
                 : String.format(locale(), "%.1e", value).replaceAll("e([+-])0*", "e$1");
     }
 
+    /**
+     * @param workload may be empty where there is but one
+     */
     public String frontTitle(Study study, String workload) {
+        if (workload.isEmpty()) return title(study);
         return texts.text(
                 "front.title", called.topic(study.topic()), workload(study.topic(), workload));
     }
@@ -158,7 +164,7 @@ public final class StudyWords {
         var notes = new ArrayList<String>();
         String leftOut = String.join(" ", LeftOutNote.of(level, this).lines());
         if (!leftOut.isEmpty()) notes.add(leftOut + ".");
-        notes.add(texts.text("front.note"));
+        notes.add(texts.text(costKey.equals(RATIO) ? "front.note.brief" : "front.note"));
         measuredOn(study).ifPresent(notes::add);
         return String.join(" ", notes);
     }

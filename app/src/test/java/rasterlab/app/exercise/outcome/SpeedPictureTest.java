@@ -30,7 +30,7 @@ import rasterlab.app.exercise.panel.CaseCanvas;
 import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.settings.LabTheme;
-import rasterlab.app.study.chart.SpeedChart;
+import rasterlab.app.study.front.SpeedChart;
 import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.SpeedFigures;

@@ -1,4 +1,4 @@
-package rasterlab.app.study.chart;
+package rasterlab.app.study.front;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
@@ -6,12 +6,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.knowm.xchart.XYChart;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.study.chart.StudyWords;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.ExactBound;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
@@ -20,10 +22,13 @@ import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.score.SpeedFigures;
 
 /**
- * A program's point on its topic's chart, with the topic's methods beside it, as an exercise
+ * A program's point on its topic's front, with the topic's methods beside it, as an exercise
  * measured them in one run: times as multiples of the reference's to the right, errors upwards.
  */
 public final class SpeedChart {
+    /** The one workload, which an exercise has no name for. */
+    private static final String WORKLOAD = "";
+
     private final Study study;
     private final StudyWords words;
 
@@ -31,51 +36,55 @@ public final class SpeedChart {
      * @param topic of the exercise
      */
     public SpeedChart(String topic, PublishedSpeed speed, Language language) {
-        this.words = new StudyWords(language);
+        this.words = StudyWords.ofRatios(language);
         this.study = study(topic, speed);
     }
 
     private static Study study(String topic, PublishedSpeed speed) {
         SpeedFigures figures = speed.figures();
+        double bound = ExactBound.of(Topics.named(topic));
         var points = new ArrayList<Measurement>();
-        points.add(point(OwnMethods.NAME, figures.ratio(), figures.error()));
+        points.add(point(OwnMethods.NAME, figures.ratio(), figures.error(), bound));
         for (SpeedFigures.Method one : figures.methods())
-            points.add(point(one.name(), one.ratio(), one.error()));
+            points.add(point(one.name(), one.ratio(), one.error(), bound));
         return new Study(topic, speed.item(), speed.errorUnit(), points);
     }
 
-    private static Measurement point(String method, MedianInterval ratio, double error) {
+    /** A measurement of three rounds: of so few, the interval is all that was seen. */
+    private static Measurement point(
+            String method, MedianInterval ratio, double error, double bound) {
         return new Measurement(
                 method,
-                "",
+                WORKLOAD,
                 1,
-                new Cost(ratio.median(), ratio.low(), ratio.high(), Map.of()),
+                Cost.of(List.of(ratio.low(), ratio.median(), ratio.high()), Map.of()),
                 new Deviation(error, 0, 0, 0, ""),
-                Verdict.Kind.EXACT,
+                kind(error, bound),
                 "");
     }
 
+    private static Verdict.Kind kind(double error, double bound) {
+        if (error <= bound) return Verdict.Kind.EXACT;
+        return Double.isFinite(error) ? Verdict.Kind.DEGRADED : Verdict.Kind.WRONG;
+    }
+
     /**
+     * Draws it from the upper left corner, on a ground that is there.
+     *
      * @param size in the chart's own units
      */
     public void paint(ChartLook paper, Dimension size, Graphics2D graphics) {
-        XYChart chart = chart(paper);
-        StudyChart.fitTitle(chart, size.width, graphics);
-        chart.paint(graphics, size.width, size.height);
+        front(paper).paint(graphics, size.width, size.height);
     }
 
-    XYChart chart(ChartLook paper) {
-        XYChart chart =
-                StudyChart.chart(study, words, paper, point -> words.called(point.method()));
-        chart.setXAxisTitle(words.ratioAxis(study));
-        chart.getStyler().setLegendVisible(false);
-        return chart;
+    FrontChart front(ChartLook paper) {
+        return new FrontChart(study, WORKLOAD, words, paper);
     }
 
     /** The same for people who do not see it: each method with its time and its error. */
     public String inWords() {
         List<Measurement> points = study.measurements();
-        return words.ratioAxis(study)
+        return words.costAxis(study)
                 + "; "
                 + words.errorAxis(study)
                 + ": "
