@@ -96,7 +96,7 @@ public final class Findings {
         return FoundContents.index(folder);
     }
 
-    /** What pages that stand beside each other have in common. */
+    /** The settings, language and machine that pages beside each other have in common. */
     private String shared() {
         return settings + ", " + language + ", " + StudyFile.machine();
     }

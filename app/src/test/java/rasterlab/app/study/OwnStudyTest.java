@@ -2,9 +2,12 @@ package rasterlab.app.study;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
@@ -12,6 +15,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.mine.OwnProgram;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.HazardTrial;
@@ -131,6 +135,20 @@ class OwnStudyTest {
     @Test
     void itIsCompiledBeforeTheFirstHazardIsTried() {
         bring(RIGHT);
+        OwnProgram program = own.of("line").orElseThrow();
+        var study = new OwnStudy<>(topic, program, own);
+        assertThrows(CancellationException.class, () -> study.hazards(cell -> {}, () -> true));
+        Thread.currentThread().interrupt();
+        try {
+            assertEquals(Optional.empty(), program.obstacle(), "it is compiled only now");
+        } finally {
+            Thread.interrupted();
+        }
+    }
+
+    @Test
+    void aRightProgramIsExactOnWhateverIsNotTooLong() {
+        bring(RIGHT);
         List<Cell> cells =
                 new OwnStudy<>(topic, own.of("line").orElseThrow(), own)
                         .hazards(cell -> {}, () -> false);
@@ -145,6 +163,7 @@ class OwnStudyTest {
     @Test
     void aProgramThatThrowsHasCrashed() {
         bring("out.plot(x0 / (y0 - y0), 0);");
+        own.of("line").orElseThrow().prepare();
         Verdict verdict =
                 HazardTrial.judge(
                         own.in(topic),

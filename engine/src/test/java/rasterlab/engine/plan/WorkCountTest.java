@@ -35,17 +35,24 @@ class WorkCountTest {
 
     @Test
     @DisplayName("a face as large as the picture is filled to its end before it is asked again")
-    void asksAtEachFaceAndEachRow() {
+    void asksAtEachRow() {
         var asked = new AtomicInteger();
-        PictureWork work =
-                WorkCount.of(
-                        cube(),
-                        () -> {
-                            asked.incrementAndGet();
-                            return false;
-                        });
-        long rowsAtLeast = work.fragments() / 160;
-        assertTrue(rowsAtLeast > 50, "the cube is too small: " + work);
-        assertTrue(asked.get() >= work.faces() + rowsAtLeast, asked + " times, " + work);
+        PictureWork work = WorkCount.of(cube(), () -> asked.incrementAndGet() == 0);
+        long rows = work.fragments() / 160;
+        assertTrue(rows > 50, "the cube is too small: " + work);
+        assertTrue(asked.get() >= work.faces() + rows, asked + " times, " + work);
+    }
+
+    @Test
+    @DisplayName("thousands of faces that cover no pixel are gone through without a question")
+    void asksAtEachFaceThatCoversNothing() {
+        Scene torus = Scenes.named("torus", 48);
+        var request =
+                new RenderRequest(
+                        torus, "zfloat", "flat", "perspective", torus.defaultCamera(), 4, 3);
+        var asked = new AtomicInteger();
+        PictureWork work = WorkCount.of(request, () -> asked.incrementAndGet() == 0);
+        assertTrue(work.fragments() < work.faces() / 2, "the torus is too large: " + work);
+        assertTrue(asked.get() >= work.faces(), asked + " times, " + work);
     }
 }

@@ -4,14 +4,22 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.Proxy;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
 import rasterlab.exercises.judging.MethodsOnInput;
 import rasterlab.exercises.judging.MethodsOnInput.Tried;
 import rasterlab.exercises.scene.MethodCase;
@@ -79,6 +87,39 @@ class HazardSearchTest {
                 HazardSearch.of("line", "bresenham", 5, new Heard())
                         .search(TIME, () -> inputs.incrementAndGet() > 150);
         assertEquals(Optional.empty(), found);
+    }
+
+    @Test
+    @DisplayName("an input is found though no method that promises to be right is exact there")
+    void nothingIsFoundWhereNoRightMethodIsExact() {
+        Method<LineRasterizer> wrong = new LineTopic().method("naive-textbook");
+        var inputs = new AtomicInteger();
+        Optional<Find> found =
+                HazardSearch.of(
+                                lineWith(
+                                        List.of(
+                                                wrong,
+                                                Method.right("witness", wrong.implementation()))),
+                                "naive-textbook",
+                                5,
+                                new Heard())
+                        .search(TIME, () -> inputs.incrementAndGet() > 150);
+        assertEquals(Optional.empty(), found);
+    }
+
+    /** The topic of segments with other methods. */
+    @SuppressWarnings("unchecked") // all is answered by a topic of segments but the methods
+    private static Topic<LineRasterizer, Segment, PixelRecording> lineWith(
+            List<Method<LineRasterizer>> methods) {
+        var line = new LineTopic();
+        return (Topic<LineRasterizer, Segment, PixelRecording>)
+                Proxy.newProxyInstance(
+                        Topic.class.getClassLoader(),
+                        new Class<?>[] {Topic.class},
+                        (proxy, asked, arguments) ->
+                                asked.getName().equals("methods")
+                                        ? methods
+                                        : asked.invoke(line, arguments));
     }
 
     @Test

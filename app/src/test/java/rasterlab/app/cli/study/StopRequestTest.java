@@ -14,7 +14,9 @@ class StopRequestTest {
         assertFalse(stop.isMade());
         var ending = new Thread(stop::make);
         ending.start();
-        while (!stop.isMade()) Thread.onSpinWait();
+        while (ending.isAlive() && ending.getState() != Thread.State.TIMED_WAITING)
+            Thread.onSpinWait();
+        assertTrue(stop.isMade());
         assertTrue(ending.isAlive(), "it waits for the command");
         stop.close();
         ending.join();
