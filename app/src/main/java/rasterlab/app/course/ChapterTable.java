@@ -22,7 +22,7 @@ import net.miginfocom.swing.MigLayout;
 final class ChapterTable extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
 
-    /** What is told of an exercise: title, kind, minutes, state and deadline. */
+    /** Number of cells of an exercise: title, kind, minutes, state and deadline. */
     private static final int CELLS = 5;
 
     private static final int GAP = 16;
