@@ -30,6 +30,7 @@ dependencies {
     implementation(libs.kotlinx.html)
     implementation(libs.kotlinx.serialization.json)
     implementation(libs.sqlite.jdbc)
+    implementation(libs.tls.channel)
     testImplementation(libs.flyway.database.postgresql)
     testImplementation(libs.json.schema.validator)
     testImplementation(libs.ktor.server.test.host)

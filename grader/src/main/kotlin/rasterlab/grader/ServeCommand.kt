@@ -10,6 +10,7 @@ import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.exercises.runner.Isolation
 import rasterlab.exercises.runner.Judge
 import rasterlab.exercises.runner.JudgeSettings
+import rasterlab.grader.certificate.OwnCertificate
 import rasterlab.grader.edge.DoorLimits
 import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
@@ -26,7 +27,9 @@ import java.net.InetSocketAddress
 import java.net.ServerSocket
 import java.net.UnknownHostException
 import java.nio.file.Path
+import java.time.InstantSource
 import java.util.concurrent.Callable
+import javax.net.ssl.SSLContext
 
 @Command(
     name = "serve",
@@ -100,6 +103,23 @@ internal class ServeCommand(
     var proxy: String? = null
 
     @Option(
+        names = ["--tls-cert"],
+        paramLabel = "FILE",
+        description = [
+            "Certificate in PEM, with those that signed it behind it; then only HTTPS is spoken.",
+            "It is read at the start.",
+        ],
+    )
+    var tlsCert: Path? = null
+
+    @Option(
+        names = ["--tls-key"],
+        paramLabel = "FILE",
+        description = ["The certificate's private key in PEM (PKCS#8, without a password)."],
+    )
+    var tlsKey: Path? = null
+
+    @Option(
         names = ["--config"],
         paramLabel = "FILE",
         description = [
@@ -140,10 +160,11 @@ internal class ServeCommand(
         if (heap !in LEAST_HEAP..MOST_HEAP) throw CannotStart(Reason.HEAP, heap, LEAST_HEAP, MOST_HEAP)
         tellOtherHeap()
         val proxies = proxies()
+        val encryption = encryption()
         val address = address()
         val catalogue = catalogue()
         if (exam) refuseExamsWithoutIsolation()
-        StopSignal().use { stop -> run(catalogue, address, proxies, stop) }
+        StopSignal().use { stop -> run(catalogue, address, proxies, encryption, stop) }
         return 0
     }
 
@@ -165,6 +186,7 @@ internal class ServeCommand(
         catalogue: Catalogue,
         address: InetSocketAddress,
         proxies: Set<InetAddress>,
+        encryption: SSLContext?,
         stop: StopSignal,
     ) {
         DataFolder.take(data, db).use { folder ->
@@ -180,10 +202,27 @@ internal class ServeCommand(
                         Exercises(catalogue.all(), kept::find),
                         judge,
                         judge.isolation(),
-                        ServerSettings(workers, proxies = proxies),
+                        ServerSettings(workers, proxies = proxies, encrypted = encryption != null),
                         stopping = stop::isAsked,
                         children = judge::livingChildren,
-                    ).use { serve(it, judge.isolation(), address, DoorLimits(proxies = proxies), stop) }
+                    ).use { server ->
+                        Listening(address, DoorLimits(proxies = proxies), encryption) { server.install(this, it) }
+                            .use {
+                                serve(
+                                    server,
+                                    judge.isolation(),
+                                    if (encryption ==
+                                        null
+                                    ) {
+                                        "http"
+                                    } else {
+                                        "https"
+                                    },
+                                    it.port,
+                                    stop,
+                                )
+                            }
+                    }
                 }
             }
         }
@@ -191,6 +230,13 @@ internal class ServeCommand(
 
     private fun proxies(): Set<InetAddress> =
         proxy?.let { Forwarding.proxies(it) ?: throw CannotStart(Reason.PROXY, it) }.orEmpty()
+
+    private fun encryption(): SSLContext? {
+        if ((tlsCert == null) != (tlsKey == null)) throw CannotStart(Reason.TLS_PAIR)
+        val certificate = tlsCert ?: return null
+        val key = tlsKey ?: return null
+        return OwnCertificate.read(certificate, key, InstantSource.system()).encryption()
+    }
 
     private fun address(): InetSocketAddress {
         val address =
@@ -235,24 +281,23 @@ internal class ServeCommand(
     private fun serve(
         server: Server,
         isolation: Isolation,
-        address: InetSocketAddress,
-        limits: DoorLimits,
+        scheme: String,
+        port: Int,
         stop: StopSignal,
     ) {
-        Listening(address, limits) { server.install(this, it) }.use { listening ->
-            server.startGrading()
-            announce(server, listening.port)
-            isolationLines(words, isolation).forEach { spec.commandLine().out.println(oneLine(it)) }
-            stop.await()
-        }
+        server.startGrading()
+        announce(server, scheme, port)
+        isolationLines(words, isolation).forEach { spec.commandLine().out.println(oneLine(it)) }
+        stop.await()
     }
 
     /** Announces the server in every language the same: programs wait for these lines. */
     private fun announce(
         server: Server,
+        scheme: String,
         port: Int,
     ) {
-        println("listening on http://${if (':' in host) "[$host]" else host}:$port")
+        println("listening on $scheme://${if (':' in host) "[$host]" else host}:$port")
         server.accounts.newInstructorToken()?.let { token ->
             println("instructor token: $token")
             System.out.flush()

@@ -75,6 +75,7 @@ import kotlin.time.Duration.Companion.seconds
  * @param workers submissions graded at the same time; on two cores one, so that measured speeds mean something
  * @param entriesPerMinute joins and sign-ins from one address; a class behind one router joins at once
  * @param proxies whose word on whom they forward for is believed
+ * @param encrypted whether the server's own connections are
  * @param bodyPatience how long the body of a request may take to arrive
  */
 data class ServerSettings(
@@ -83,6 +84,7 @@ data class ServerSettings(
     val entriesPerMinute: Int = 120,
     val bodyPatience: Duration = 20.seconds,
     val proxies: Set<InetAddress> = emptySet(),
+    val encrypted: Boolean = false,
 )
 
 /**
@@ -153,7 +155,7 @@ class Server(
         application: Application,
         address: (ApplicationCall) -> String = { it.request.origin.remoteAddress },
     ) = with(application) {
-        val forwarding = Forwarding(settings.proxies, address)
+        val forwarding = Forwarding(settings.proxies, address, settings.encrypted)
         intercept(ApplicationCallPipeline.Setup) { call.attributes.put(Forwarding.SECURE, forwarding.isSecure(call)) }
         // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
         intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }

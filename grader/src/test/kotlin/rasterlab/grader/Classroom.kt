@@ -42,6 +42,7 @@ import java.net.InetSocketAddress
 import java.nio.file.Path
 import java.time.InstantSource
 import java.util.Optional
+import javax.net.ssl.SSLContext
 
 /** A server on a real SQLite file in [folder], graded by [grading]. */
 class Classroom(
@@ -77,10 +78,15 @@ class Classroom(
     /** Listens behind a real socket, for what is only seen on the wire; nothing is graded. */
     fun listen(
         limits: DoorLimits = DoorLimits(),
+        encryption: SSLContext? = null,
         test: Wire.() -> Unit,
     ) = serve { server, database, token ->
         val address = InetSocketAddress(InetAddress.getLoopbackAddress(), 0)
-        Listening(address, limits) { server.install(this, it) }.use { Wire(it.port, database, token).test() }
+        Listening(
+            address,
+            limits,
+            encryption,
+        ) { server.install(this, it) }.use { Wire(it.port, database, token).test() }
     }
 
     private fun serve(use: (Server, Database, String) -> Unit) =

@@ -17,7 +17,10 @@ import java.nio.channels.Selector
 import java.nio.channels.ServerSocketChannel
 import java.nio.channels.SocketChannel
 import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.CountDownLatch
+import java.util.concurrent.Executors
+import javax.net.ssl.SSLContext
 import kotlin.concurrent.thread
 
 /**
@@ -51,11 +54,15 @@ data class DoorLimits(
 
 /**
  * Takes connections in and passes them on to the engine, which listens where only this machine can reach it.
- * One thread does all of it and never waits for a single connection.
+ * One thread does all of it and never waits for a single connection; a second one computes for those that are
+ * encrypted.
+ *
+ * @param encryption null for connections in the clear
  */
 class Door(
     address: InetSocketAddress,
     private val limits: DoorLimits = DoorLimits(),
+    private val encryption: SSLContext? = null,
 ) : AutoCloseable {
     private val log = LoggerFactory.getLogger(javaClass)
     private val selector = Selector.open()
@@ -63,6 +70,17 @@ class Door(
     private val passages = mutableSetOf<Passage>()
     private val clients = ConcurrentHashMap<Int, InetAddress>()
     private val ended = CountDownLatch(1)
+    private val computer =
+        encryption?.let {
+            Executors.newSingleThreadExecutor {
+                thread(
+                    start = false,
+                    isDaemon = true,
+                    block = it::run,
+                )
+            }
+        }
+    private val computed = ConcurrentLinkedQueue<Passage>()
     private var spare: ServerSocketChannel? = ServerSocketChannel.open()
     private var acceptAgainAt = System.nanoTime()
     private var tellAgainAt = System.nanoTime()
@@ -94,6 +112,7 @@ class Door(
             try {
                 while (!closing) turn(accepting)
             } finally {
+                computer?.shutdownNow()
                 passages.toList().forEach(Passage::close)
                 listOfNotNull(server, spare, selector).forEach { it.close() }
                 ended.countDown()
@@ -115,17 +134,21 @@ class Door(
         val ready = selector.selectedKeys().toList()
         selector.selectedKeys().clear()
         for (key in ready) {
-            if (key == accepting) acceptAll(accepting) else goOn(key.attachment() as Passage)
+            if (key == accepting) acceptAll(accepting) else keep(key.attachment() as Passage, Passage::goOn)
         }
+        generateSequence(computed::poll).forEach { keep(it, Passage::computed) }
         val now = System.nanoTime()
         passages.filter { it.isOverdue(now) }.forEach(Passage::overdue)
         if (!closing) accepting.interestOps(if (now < acceptAgainAt) 0 else SelectionKey.OP_ACCEPT)
     }
 
     /** One connection's failure must not be the end of all. */
-    private fun goOn(passage: Passage) {
+    private fun keep(
+        passage: Passage,
+        act: Passage.() -> Unit,
+    ) {
         try {
-            passage.goOn()
+            passage.act()
         } catch (failure: RuntimeException) {
             log.error("a connection from {} failed", passage.address, failure)
             passage.close()
@@ -169,11 +192,27 @@ class Door(
             val address = (client.remoteAddress as InetSocketAddress).address
             val most = if (address in limits.proxies) limits.all else limits.perAddress
             val refused = passages.size >= limits.all || passages.count { it.address == address } >= most
-            val passage = Passage(client, address, selector, passages::remove, ::connect, clients::remove)
+            lateinit var passage: Passage
+            val line = ClientLine(client, encryption) { compute(it, passage) }
+            passage = Passage(line, address, selector, passages::remove, ::connect, clients::remove)
             passages += passage
-            if (refused) passage.refuse(TOO_MANY) else goOn(passage)
+            keep(passage) { if (refused) refuse(TOO_MANY) else goOn() }
         } catch (gone: IOException) {
             client.close()
+        }
+    }
+
+    private fun compute(
+        task: Runnable,
+        passage: Passage,
+    ) {
+        computer?.execute {
+            try {
+                task.run()
+            } finally {
+                computed += passage
+                selector.wakeup()
+            }
         }
     }
 

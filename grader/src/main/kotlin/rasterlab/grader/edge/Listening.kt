@@ -11,10 +11,12 @@ import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.Socket
 import java.nio.ByteBuffer
+import javax.net.ssl.SSLContext
 
 /**
  * An application behind its front door, from now on until it is closed.
  *
+ * @param encryption null for connections in the clear
  * @param install gets the address of whoever makes a call
  *
  * @throws java.io.IOException when nobody can listen at [address]
@@ -22,9 +24,10 @@ import java.nio.ByteBuffer
 class Listening(
     address: InetSocketAddress,
     limits: DoorLimits = DoorLimits(),
+    encryption: SSLContext? = null,
     install: Application.((ApplicationCall) -> String) -> Unit,
 ) : AutoCloseable {
-    private val door = Door(address, limits)
+    private val door = Door(address, limits, encryption)
     private val engine =
         embeddedServer(CIO, configure = {
             connector {
@@ -61,7 +64,7 @@ class Listening(
     private fun loadRefusals(inner: InetSocketAddress) {
         val person = Asker.of("GET / HTTP/1.1\r\nAccept: text/html\r\nAccept-Language: ru")
         val malformed = RequestFraming().feed(ByteBuffer.wrap(byteArrayOf(0)), ByteBuffer.allocate(0))
-        listOfNotNull(malformed, TOO_MANY, NO_ENGINE).forEach { it.answer(person) }
+        listOfNotNull(malformed, TOO_MANY, NO_ENGINE, CLEAR_TEXT).forEach { it.answer(person) }
         for (target in listOf("/nothing", "/api/v1/nothing", "/api/v1/exercises", "/%zz")) {
             Socket(inner.address, inner.port).use { socket ->
                 socket.soTimeout = LOAD_MILLIS

@@ -15,7 +15,7 @@ import java.nio.channels.SocketChannel
  * closing a connection with unread bytes takes the answer away from a client that is still sending.
  */
 internal class Passage(
-    private val client: SocketChannel,
+    private val client: ClientLine,
     val address: InetAddress,
     private val selector: Selector,
     private val onClose: (Passage) -> Unit,
@@ -46,8 +46,8 @@ internal class Passage(
     private var deadline: Long? = System.nanoTime() + IDLE_NANOS
 
     init {
-        client.configureBlocking(false)
-        fromClient = client.register(selector, 0, this)
+        client.socket.configureBlocking(false)
+        fromClient = client.socket.register(selector, 0, this)
     }
 
     /** Answers that to the first request, or soon where none comes, instead of what the engine would. */
@@ -86,13 +86,20 @@ internal class Passage(
         }
     }
 
+    /** Goes on after a computation that the client's line asked for. */
+    fun computed() {
+        client.computed()
+        goOn()
+    }
+
     fun isOverdue(now: Long) = deadline.let { it != null && now - it > 0 }
 
     fun close() {
         if (closed) return
         closed = true
         if (enginePort != 0) forget(enginePort)
-        listOfNotNull(client, engine).forEach { it.close() }
+        engine?.close()
+        client.close()
         onClose(this)
     }
 
@@ -101,6 +108,7 @@ internal class Passage(
         if (requestsEnded || toEngine.space < RequestFraming.MOST_HEAD + SCRATCH_BYTES) return false
         val arrived = ByteBuffer.allocate(SCRATCH_BYTES)
         val count = client.read(arrived)
+        if (client.isMistaken) return refuseClearText()
         if (count == 0) return false
         val wrong = if (count < 0) framing.atEnd() else toEngine.fill { framing.feed(arrived.flip(), it) }
         requestsEnded = count < 0 || wrong != null
@@ -110,6 +118,13 @@ internal class Passage(
             refusal = wrong
             if (framing.isWithinRequest) breakOff()
         }
+        return true
+    }
+
+    private fun refuseClearText(): Boolean {
+        listening = false
+        requestsEnded = true
+        refusal = CLEAR_TEXT
         return true
     }
 
@@ -123,7 +138,7 @@ internal class Passage(
     }
 
     private fun drop(): Boolean {
-        val count = client.read(ByteBuffer.allocate(SCRATCH_BYTES))
+        val count = client.drop(ByteBuffer.allocate(SCRATCH_BYTES))
         dropped += maxOf(count, 0)
         if (count < 0 || dropped > DROPPED_MOST) close()
         return count > 0
@@ -198,8 +213,8 @@ internal class Passage(
 
     private fun writeClient(): Boolean {
         if (lingering) return false
-        val moved = toClient.drain(client::write)
-        if (!toClient.isEmpty) {
+        val moved = toClient.drain(client::write) || client.flush()
+        if (!toClient.isEmpty || client.isUnsent) {
             if (moved || deadline == null) deadline = System.nanoTime() + WRITE_NANOS
             return moved
         }
@@ -222,7 +237,7 @@ internal class Passage(
 
     private fun await() {
         val reads = lingering || (!requestsEnded && toEngine.space >= RequestFraming.MOST_HEAD + SCRATCH_BYTES)
-        fromClient.interestOps(ops(SelectionKey.OP_READ, reads) or ops(SelectionKey.OP_WRITE, !toClient.isEmpty))
+        fromClient.interestOps(if (lingering) SelectionKey.OP_READ else client.ops(reads, !toClient.isEmpty))
         val channel = engine ?: return
         val pending = !engineToldEnd && !(toEngine.isEmpty && !requestsEnded)
         fromEngine?.interestOps(

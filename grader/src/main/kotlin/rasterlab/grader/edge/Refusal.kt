@@ -55,6 +55,13 @@ internal val TOO_MANY =
         "Retry-After: 5",
     )
 
+internal val CLEAR_TEXT =
+    Refusal(
+        HttpStatusCode.BadRequest,
+        "clear-text",
+        "this port speaks HTTPS only: the address must begin with https://",
+    )
+
 internal val NO_ENGINE =
     Refusal(
         HttpStatusCode.ServiceUnavailable,

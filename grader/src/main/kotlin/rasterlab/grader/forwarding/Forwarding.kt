@@ -10,10 +10,12 @@ import java.net.InetAddress
  * `X-Forwarded-Proto` are believed when the connection comes from one of [proxies]; anybody else could write them too.
  *
  * @param direct the address at the other end of the connection
+ * @param encrypted whether the server itself encrypts its connections
  */
 class Forwarding(
     private val proxies: Set<InetAddress>,
     private val direct: (ApplicationCall) -> String,
+    private val encrypted: Boolean = false,
 ) {
     /** The address nearest to the server that is no proxy of ours; what stands before it is the client's own word. */
     fun clientOf(call: ApplicationCall): String {
@@ -29,7 +31,8 @@ class Forwarding(
 
     /** Whether the client's own connection is encrypted. */
     fun isSecure(call: ApplicationCall): Boolean =
-        isProxy(direct(call)) && call.request.headers["X-Forwarded-Proto"].equals("https", ignoreCase = true)
+        encrypted ||
+            (isProxy(direct(call)) && call.request.headers["X-Forwarded-Proto"].equals("https", ignoreCase = true))
 
     private fun isProxy(address: String) = parse(address) in proxies
 
