@@ -20,6 +20,7 @@ import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
 import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.storage.Database
+import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.SpeedBands
 import java.io.IOException
 import java.net.InetAddress
@@ -142,6 +143,30 @@ internal class ServeCommand(
     var workers = 1
 
     @Option(
+        names = ["--entries-per-minute"],
+        paramLabel = "N",
+        defaultValue = "120",
+        description = ["Joins and sign-ins from one address, 1 to 100000 (default: \${DEFAULT-VALUE})."],
+    )
+    var entriesPerMinute = 120
+
+    @Option(
+        names = ["--submissions-per-minute"],
+        paramLabel = "N",
+        defaultValue = "20",
+        description = ["Submissions of one student, 1 to 100000 (default: \${DEFAULT-VALUE})."],
+    )
+    var submissionsPerMinute = 20
+
+    @Option(
+        names = ["--waiting"],
+        paramLabel = "N",
+        defaultValue = "5",
+        description = ["Submissions of one student that may wait, 1 to 100000 (default: \${DEFAULT-VALUE})."],
+    )
+    var waiting = 5
+
+    @Option(
         names = ["--heap"],
         paramLabel = "MIB",
         defaultValue = "256",
@@ -158,6 +183,7 @@ internal class ServeCommand(
         if (port !in 0..LAST_PORT) throw CannotStart(Reason.PORT, port, LAST_PORT)
         if (workers !in 1..MOST_WORKERS) throw CannotStart(Reason.WORKERS, workers, MOST_WORKERS)
         if (heap !in LEAST_HEAP..MOST_HEAP) throw CannotStart(Reason.HEAP, heap, LEAST_HEAP, MOST_HEAP)
+        requireLimits()
         tellOtherHeap()
         val proxies = proxies()
         val encryption = encryption()
@@ -173,6 +199,26 @@ internal class ServeCommand(
         val isolation = Judge.start(JudgeSettings.defaults()).use { it.isolation() }
         if (!isolation.exam()) throw CannotStart(Reason.EXAM, isolation.missingForExams())
     }
+
+    private fun requireLimits() =
+        listOf(
+            "entries-per-minute" to entriesPerMinute,
+            "submissions-per-minute" to submissionsPerMinute,
+            "waiting" to waiting,
+        ).forEach { (name, limit) ->
+            if (limit !in 1..MOST_A_MINUTE) throw CannotStart(Reason.LIMIT, name, limit, MOST_A_MINUTE)
+        }
+
+    private fun settings(
+        proxies: Set<InetAddress>,
+        encrypted: Boolean,
+    ) = ServerSettings(
+        workers,
+        IntakeLimits(waiting, submissionsPerMinute),
+        entriesPerMinute,
+        proxies = proxies,
+        encrypted = encrypted,
+    )
 
     /** An option that somebody gave, and that changes nothing, is not passed over in silence. */
     private fun tellOtherHeap() {
@@ -202,7 +248,7 @@ internal class ServeCommand(
                         Exercises(catalogue.all(), kept::find),
                         judge,
                         judge.isolation(),
-                        ServerSettings(workers, proxies = proxies, encrypted = encryption != null),
+                        settings(proxies, encrypted = encryption != null),
                         stopping = stop::isAsked,
                         children = judge::livingChildren,
                     ).use { server ->
@@ -308,6 +354,7 @@ internal class ServeCommand(
     private companion object {
         const val LAST_PORT = 65_535
         const val MOST_WORKERS = 64
+        const val MOST_A_MINUTE = 100_000
         const val LEAST_HEAP = 64
         const val MOST_HEAP = 65_536
         const val MIB_BITS = 20

@@ -32,6 +32,7 @@ import rasterlab.grader.exercise.exercises
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.hints
+import rasterlab.grader.limits.tell
 import rasterlab.grader.metrics.Meters
 import rasterlab.grader.problem.refuseOtherMethods
 import rasterlab.grader.problem.showProblems
@@ -66,8 +67,8 @@ import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
 import java.net.InetAddress
+import java.time.Duration
 import java.time.InstantSource
-import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.Duration.Companion.seconds
 
@@ -82,7 +83,7 @@ data class ServerSettings(
     val workers: Int = 1,
     val intake: IntakeLimits = IntakeLimits(),
     val entriesPerMinute: Int = 120,
-    val bodyPatience: Duration = 20.seconds,
+    val bodyPatience: kotlin.time.Duration = 20.seconds,
     val proxies: Set<InetAddress> = emptySet(),
     val encrypted: Boolean = false,
 )
@@ -167,6 +168,9 @@ class Server(
             register(ENTRY) {
                 rateLimiter(settings.entriesPerMinute, 1.minutes, clock = { steady.instant().toEpochMilli() })
                 requestKey { forwarding.clientOf(it) }
+                modifyResponse { call, state ->
+                    call.tell(state, settings.entriesPerMinute, Duration.ofMinutes(1), steady.instant().toEpochMilli())
+                }
             }
         }
         protect()

@@ -49,7 +49,9 @@ class OptionsFileTest {
         assertEquals("--workers 65: expected 1 to 64", refusal("workers: 0\nport: 0\n", "--workers", "65"))
 
     private companion object {
-        const val KNOWN = "data, db, exam, exercises, host, port, proxy, tls-cert, tls-key, workers"
+        const val KNOWN =
+            "data, db, entries-per-minute, exam, exercises, host, port, proxy, submissions-per-minute, tls-cert, " +
+                "tls-key, waiting, workers"
 
         @JvmStatic
         fun mistakes(): List<Arguments> =

@@ -186,7 +186,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*",
+                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

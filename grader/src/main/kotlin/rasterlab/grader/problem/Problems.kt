@@ -23,6 +23,7 @@ import kotlinx.serialization.json.Json
 import org.jdbi.v3.core.JdbiException
 import org.slf4j.Logger
 import org.slf4j.LoggerFactory
+import rasterlab.grader.limits.tell
 import java.sql.SQLException
 
 /** An error as RFC 9457 lays it out. */
@@ -69,6 +70,7 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         page.show(call, status, code, detail, added)
     }
     exception<Rejection> { call, rejection ->
+        rejection.allowance?.let { call.tell(it) }
         rejection.retryAfter()?.let { call.response.header(HttpHeaders.RetryAfter, it.toString()) }
         when (rejection) {
             is Rejection.NotSignedIn -> call.response.header(HttpHeaders.WWWAuthenticate, "Bearer realm=\"rasterlab\"")

@@ -16,6 +16,8 @@ import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
 import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
 import rasterlab.exercises.CatalogueException
 import rasterlab.exercises.SourceEncoding
+import rasterlab.grader.limits.Allowance
+import rasterlab.grader.limits.secondsToWait
 import rasterlab.grader.wording.Wording
 import java.time.Instant
 import java.util.Locale
@@ -30,6 +32,9 @@ sealed class Rejection(
     override val message: String,
     val code: String,
 ) : Exception(message) {
+    /** The limit that was met, or null where it was none. */
+    open val allowance: Allowance? = null
+
     /** Names the text that a page shows: the code, or more exactly what was met. */
     open val pageText get() = code
 
@@ -270,12 +275,12 @@ sealed class Rejection(
     class TooManyQueued(
         limit: Int,
         val retryAfterSeconds: Int,
+        override val allowance: Allowance,
     ) : Rejection("you already have $limit submissions waiting; wait for one to be graded", "too-many-queued")
 
     class TooFast(
-        limit: Int,
-        val retryAfterSeconds: Int,
-    ) : Rejection("at most $limit submissions a minute", "too-fast")
+        override val allowance: Allowance,
+    ) : Rejection("at most ${allowance.limit} submissions a minute", "too-fast")
 
     class NoRoom : Rejection("the server's disk is full; nothing was stored, try again later", "no-room")
 }
@@ -305,7 +310,7 @@ fun Rejection.status(): HttpStatusCode =
 fun Rejection.retryAfter(): Int? =
     when (this) {
         is Rejection.TooManyQueued -> retryAfterSeconds
-        is Rejection.TooFast -> retryAfterSeconds
+        is Rejection.TooFast -> allowance.refill.secondsToWait()
         is Rejection.NoRoom -> 60
         else -> null
     }

@@ -22,6 +22,7 @@ class CannotStart(
         PORT("port"),
         WORKERS("workers"),
         HEAP("heap"),
+        LIMIT("limit"),
         EXAM("exam"),
         HOST("host"),
         LISTEN("listen"),

@@ -4,6 +4,7 @@ import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.statement.Query
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Identity
+import rasterlab.grader.limits.Allowance
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.rules.Arrival
 import rasterlab.grader.rules.CourseRules
@@ -12,6 +13,7 @@ import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import java.time.Duration
+import java.time.Instant
 import java.time.InstantSource
 
 /**
@@ -25,11 +27,16 @@ data class IntakeLimits(
     val perMinute: Int = 20,
 )
 
-/** A submission that is stored. */
+/**
+ * A submission that is stored.
+ *
+ * @param allowance what is left of the student's minute
+ */
 data class Accepted(
     val id: String,
     val state: State,
     val position: Int,
+    val allowance: Allowance,
 )
 
 /** Stores submissions: when [accept] returns, the submission is on the disk. */
@@ -55,14 +62,18 @@ class Intake(
             if (exercise.form() == Exercise.Form.PREDICT) Sheets.handedSeed(exercise, source) else null
         val request = Repeatable("submissions ${student.id}", key, "${exercise.id()}\n$source")
         return database.write { handle ->
+            val before = allowance(handle, student)
+            val earlier = request.made(handle)
             val id =
-                request.made(handle) ?: run {
+                earlier ?: run {
                     requireTaken(handle, student, exercise, late)
+                    checkLimits(handle, student, before)
                     insert(handle, student, exercise, source, handedSeed)
                         .also { request.remember(handle, it, clock.instant()) }
                 }
             val state = checkNotNull(Submissions.find(handle, id)) { "submission $id was just stored" }.state
-            Accepted(id, state, Submissions.position(handle, id))
+            val after = if (earlier == null) before.taken() else before
+            Accepted(id, state, Submissions.position(handle, id), after)
         }
     }
 
@@ -96,7 +107,6 @@ class Intake(
         source: String,
         handedSeed: Long?,
     ): String {
-        checkLimits(handle, student)
         handedSeed?.let { Sheets.requireSeed(it, Sheets.seed(handle, student, exercise)) }
         val id = Secrets.newId()
         handle
@@ -121,21 +131,35 @@ class Intake(
     private fun checkLimits(
         handle: Handle,
         student: Identity.Student,
+        allowance: Allowance,
     ) {
         val waiting = count(student, handle.createQuery("$COUNT AND state <> 'done'"))
-        if (waiting >= limits.waiting) throw Rejection.TooManyQueued(limits.waiting, retryAfterSeconds = 5)
-        // Only submissions up to now count: before the clock was set back, some may have come at a time that is still
-        // to come.
+        if (waiting >= limits.waiting) throw Rejection.TooManyQueued(limits.waiting, WAIT_SECONDS, allowance)
+        if (allowance.left == 0) throw Rejection.TooFast(allowance)
+    }
+
+    /**
+     * Returns what a student may still hand in. Only submissions up to now count: before the clock was set back, some
+     * may have come at a time that is still to come.
+     */
+    private fun allowance(
+        handle: Handle,
+        student: Identity.Student,
+    ): Allowance {
         val now = clock.instant()
         val lately =
-            count(
-                student,
-                handle
-                    .createQuery("$COUNT AND received_at > :since AND received_at <= :now")
-                    .bind("since", (now - Duration.ofMinutes(1)).text())
-                    .bind("now", now.text()),
-            )
-        if (lately >= limits.perMinute) throw Rejection.TooFast(limits.perMinute, retryAfterSeconds = 60)
+            handle
+                .createQuery(LATELY)
+                .bind("student", student.id)
+                .bind("since", (now - MINUTE).text())
+                .bind("now", now.text())
+                .mapTo(String::class.java)
+                .list()
+        // Where fewer may come than before a restart, more than one has to leave the minute first.
+        val left = maxOf(limits.perMinute - lately.size, 0)
+        val first = lately.getOrNull(maxOf(lately.size - limits.perMinute, 0))
+        val refill = first?.let { Duration.between(now, Instant.parse(it) + MINUTE) } ?: Duration.ZERO
+        return Allowance(limits.perMinute, left, MINUTE, refill)
     }
 
     private fun count(
@@ -156,5 +180,12 @@ class Intake(
             "(SELECT coalesce(sum(cost), 0) FROM hints WHERE student_id = :student AND exercise = :exercise)"
 
         const val COUNT = "SELECT count(*) FROM submissions WHERE student_id = :student"
+
+        const val LATELY =
+            """SELECT received_at FROM submissions
+               WHERE student_id = :student AND received_at > :since AND received_at <= :now ORDER BY received_at"""
+
+        const val WAIT_SECONDS = 5
+        val MINUTE: Duration = Duration.ofMinutes(1)
     }
 }

@@ -10,6 +10,7 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.limits.tell
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.respondJson
 
@@ -46,6 +47,7 @@ fun Route.submissions(
         val late = call.request.rawQueryParameters[LATE] == ACCEPT
         val accepted = intake.accept(student, exercise, source, call.idempotencyKey(), late)
         queue.ring(accepted.id)
+        call.tell(accepted.allowance)
         call.response.header(HttpHeaders.Location, "/api/v1/submissions/${accepted.id}")
         call.respondJson(SubmissionAnswer(accepted.id, accepted.state.code, accepted.position), Accepted)
     }

@@ -23,6 +23,7 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.respondPicture
 import rasterlab.grader.exercise.respondStarter
 import rasterlab.grader.hint.Hints
+import rasterlab.grader.limits.tell
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.submission.GradingQueue
@@ -70,6 +71,7 @@ fun Route.exercisePages(
         val source = form.source()
         val accepted = intake.accept(student, exercise, source, form.once(source), form.late)
         queue.ring(accepted.id)
+        call.tell(accepted.allowance)
         call.respondRedirect("/submissions/${accepted.id}")
     }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.HashSet;
 import java.util.Set;
@@ -18,10 +19,14 @@ import rasterlab.app.language.Language;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.SourceEncoding;
 import rasterlab.exercises.score.Phrase;
+import rasterlab.grader.limits.Allowance;
 import rasterlab.grader.problem.Rejection;
 
 /** The server says no in English; the window says it in its own language. */
 class ServerWordsTest {
+    private static final Allowance ALLOWANCE =
+            new Allowance(20, 0, Duration.ofMinutes(1), Duration.ofSeconds(30));
+
     private static final Pattern ENGLISH =
             Pattern.compile("\\b(the|no|of|at|you|only|must|this|send)\\b");
 
@@ -63,8 +68,8 @@ class ServerWordsTest {
                 new Rejection.Kotlin(),
                 new Rejection.TooLarge(65536),
                 new Rejection.TooSlow(30),
-                new Rejection.TooManyQueued(5, 10),
-                new Rejection.TooFast(6, 10),
+                new Rejection.TooManyQueued(5, 10, ALLOWANCE),
+                new Rejection.TooFast(ALLOWANCE),
                 new Rejection.BadSheet(
                         new CatalogueException(Phrase.of("predict.other-seed", "5", "6"))),
                 new Rejection.NotOpen("circle", Instant.EPOCH, Instant.EPOCH),
