@@ -21,6 +21,9 @@ import rasterlab.engine.study.Verdict;
 public final class StudyWords {
     private static final String RATIO = "chart.ratio";
 
+    /** The most methods that are named one by one. */
+    private static final int MOST_NAMED = 3;
+
     private final Texts texts;
     private final TopicNames called;
     private final WorkloadWords workloads;
@@ -206,6 +209,17 @@ public final class StudyWords {
         return texts.text("input.title", called.topic(study.topic()));
     }
 
+    /** The method that is best in a range of sizes, or that it is open which of several is. */
+    public String best(Regime regime) {
+        List<String> methods = regime.methods().stream().map(this::called).toList();
+        if (!regime.isOpen()) return methods.get(0);
+        return texts.text(
+                "regime.open",
+                methods.size() > MOST_NAMED
+                        ? texts.text("regime.oneOf", methods.size())
+                        : String.join(texts.text("regime.or"), methods));
+    }
+
     /** The method that is best in each range of sizes, and how the chart is read. */
     public String byInputNote(Study study, List<Regime> regimes) {
         var said = new ArrayList<String>();
@@ -214,7 +228,7 @@ public final class StudyWords {
             boolean last = i + 1 == regimes.size();
             String key =
                     last ? regimes.size() == 1 ? "regime.all" : "regime.beyond" : "regime.upTo";
-            said.add(texts.text(key, called(one.method()), LogTicks.size(one.to())));
+            said.add(texts.text(key, best(one), LogTicks.size(one.to())));
         }
         String best = said.isEmpty() ? "" : texts.text("regimes", String.join(", ", said)) + " ";
         return best + texts.text("input.note");

@@ -19,7 +19,7 @@ import rasterlab.engine.study.Verdict;
 /**
  * The error of each method along the size of its input: exact results in one band below, those that
  * have no error to tell, or no answer, in a row above. Strips at the top are the regimes, each with
- * the method that is best there.
+ * the method that is best there, grey where that is open.
  */
 public final class ErrorByInputChart implements StudyPicture {
     private static final int TOP = 62;
@@ -27,6 +27,9 @@ public final class ErrorByInputChart implements StudyPicture {
     private static final int BAND = 36;
     private static final Color EXACT = new Color(0, 158, 115, 32);
     private static final Color FAILED = new Color(213, 94, 0, 32);
+
+    /** The strip where it is open which method is best. */
+    private static final Color OPEN = new Color(128, 128, 128);
 
     private final Study study;
     private final StudyWords words;
@@ -148,10 +151,11 @@ public final class ErrorByInputChart implements StudyPicture {
                     i + 1 < regimes.size()
                             ? across.at(Math.sqrt((double) regime.to() * regimes.get(i + 1).from()))
                             : plot.getMaxX();
-            graphics.setColor(lines.looks().get(regime.method()).colour());
+            graphics.setColor(
+                    regime.isOpen() ? OPEN : lines.looks().get(regime.methods().get(0)).colour());
             graphics.fill(new Rectangle2D.Double(left, STRIP + 14, right - left - 1, 5));
             graphics.setColor(paper.ink());
-            String name = words.called(regime.method());
+            String name = words.best(regime);
             if (graphics.getFontMetrics().stringWidth(name) < right - left)
                 graphics.drawString(name, (float) left + 2, STRIP + 10);
             left = right;

@@ -46,8 +46,11 @@ class FrontChartTest {
     }
 
     private static String svg(StudyPlot plot, Language language) {
-        byte[] svg =
-                plot.of(study(), new StudyWords(language), ChartLook.PAPER).svg(ChartLook.PAPER);
+        return svg(study(), plot, language);
+    }
+
+    private static String svg(Study study, StudyPlot plot, Language language) {
+        byte[] svg = plot.of(study, new StudyWords(language), ChartLook.PAPER).svg(ChartLook.PAPER);
         return new String(svg, StandardCharsets.UTF_8);
     }
 
@@ -88,6 +91,24 @@ class FrontChartTest {
         assertTrue(svg.contains("Best: bresenham at all sizes."), svg);
         assertEquals(2, svg.split(">bresenham<", -1).length - 1, "on the strip and at its line");
         assertTrue(svg.contains(">midpoint<"), "exact, and not best");
+    }
+
+    @Test
+    @DisplayName("the chart of errors names a best method where times are not told apart")
+    void openRegimesAreSaidToBeOpen() {
+        var points = new ArrayList<Measurement>();
+        for (int size : new int[] {16, 64, 256})
+            for (String method : List.of("dda", "bresenham", "midpoint", "naive"))
+                if (size < 256 || !method.startsWith("d"))
+                    points.add(
+                            timed(method, size, size == 256 && method.equals("naive") ? 5 : 20, 0));
+        var study = new Study("line", "pixel", "pixels", points);
+        String english = svg(study, StudyPlot.ERROR_BY_INPUT, Language.ENGLISH);
+        String said = "Best: one of 4 methods (not told apart) up to 64, naive beyond.";
+        assertTrue(english.contains(said), english);
+        assertTrue(english.contains(">one of 4 methods (not told apart)<"), english);
+        String russian = svg(study, StudyPlot.ERROR_BY_INPUT, Language.RUSSIAN);
+        assertTrue(russian.contains("один из 4 методов (не различить) до 64"), russian);
     }
 
     @Test
