@@ -20,9 +20,6 @@ final class HazardHtml {
             dl{display:grid;grid-template-columns:max-content 1fr;gap:4px 12px}
             dd{margin:0}
             dt,td,h3{border-left:6px solid #9aa3ad;padding-left:8px}
-            .exact{border-left-color:#009e73}.degraded{border-left-color:#e69f00}
-            .wrong,.crashed{border-left-color:#d55e00}.refused{border-left-color:#7f7f7f}
-            .endless{border-left-color:#cc79a7}
             .cells{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,320px),1fr));\
             gap:16px}
             section{border:1px solid #9aa3ad;border-radius:6px;padding:10px;min-width:0;\
@@ -51,7 +48,11 @@ final class HazardHtml {
             <body>
             %s</body></html>
             """
-                .formatted(language.locale().getLanguage(), escaped(title), STYLE, body);
+                .formatted(
+                        language.locale().getLanguage(),
+                        escaped(title),
+                        STYLE + VerdictTable.COLOURS,
+                        body);
     }
 
     static String escaped(String text) {

@@ -10,11 +10,13 @@ import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.study.Guard;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.HazardTrial.Tried;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -31,9 +33,8 @@ public final class HazardPage<C, I, O> {
     private final TopicNames called;
     private final StudyWords words;
     private final AnswerPictures<C, I, O> pictures;
-    private final StringBuilder rows = new StringBuilder();
+    private final List<Cell> verdicts = new ArrayList<>();
     private final StringBuilder cells = new StringBuilder();
-    private boolean asRecorded = true;
 
     private HazardPage(Topic<C, I, O> topic, Language language) {
         this.topic = topic;
@@ -46,9 +47,9 @@ public final class HazardPage<C, I, O> {
     /**
      * A page as a document of its own.
      *
-     * @param asRecorded whether every verdict is the one that is written down
+     * @param matrix the verdicts that it tells
      */
-    public record Written(String html, boolean asRecorded) {}
+    public record Written(String html, HazardMatrix matrix) {}
 
     /**
      * Tries every method on every hazard of the topic and writes what came of it.
@@ -63,10 +64,11 @@ public final class HazardPage<C, I, O> {
             Topic<C, I, O> topic, Duration longest, Language language) {
         var page = new HazardPage<>(topic, language);
         topic.hazards().forEach(hazard -> page.add(hazard, longest));
-        return new Written(page.html(), page.asRecorded);
+        HazardMatrix matrix = HazardMatrix.of(topic, page.verdicts);
+        return new Written(page.html(matrix), matrix);
     }
 
-    private String html() {
+    private String html(HazardMatrix matrix) {
         var body = new StringBuilder();
         String name = texts.text("title", called.topic(topic.name()), topic.name());
         body.append("<h1>%s</h1>\n<p>%s</p>\n".formatted(text(name), text(texts.text("about"))));
@@ -77,33 +79,27 @@ public final class HazardPage<C, I, O> {
                     "<dt class=\"%s\">%s</dt><dd>%s</dd>\n"
                             .formatted(
                                     kind.code(),
-                                    text(signed(kind)),
+                                    text(VerdictTable.signed(kind, words)),
                                     text(texts.text("rule." + kind.code()))));
         body.append("</dl>\n<h2>%s</h2>\n".formatted(text(texts.text("table"))));
-        body.append("<div class=\"scroll\"><table>\n<thead><tr><th></th>");
-        for (Method<C> method : topic.methods())
-            body.append("<th>%s</th>".formatted(text(method.name())));
-        body.append("</tr></thead>\n<tbody>\n").append(rows).append("</tbody></table></div>\n");
+        body.append(VerdictTable.of(topic, matrix, texts.language(), ""));
         return HazardHtml.document(name, texts.language(), body.append(cells).toString());
     }
 
     private void add(Hazard<I> hazard, Duration longest) {
         Function<Method<C>, Tried<O>> trial = HazardTrial.trying(topic, hazard.input(), longest);
         String title = called.hazard(topic, hazard);
-        rows.append("<tr><th><a href=\"#%s\">%s</a></th>".formatted(hazard.name(), text(title)));
         var below = new StringBuilder();
         var exact = new ArrayList<String>();
         for (Method<C> method : topic.methods()) {
             Tried<O> tried = trial.apply(method);
-            Verdict.Kind kind = tried.verdict().kind();
-            boolean known =
-                    kind == hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
-            asRecorded &= known;
-            addCell(hazard, method, kind, known);
-            if (kind == Verdict.Kind.EXACT) exact.add(method.name());
-            else below.append(section(hazard, method, tried, known));
+            Verdict.Kind recorded =
+                    hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
+            var cell = new Cell(hazard.name(), method.name(), tried.verdict(), recorded);
+            verdicts.add(cell);
+            if (tried.verdict().kind() == Verdict.Kind.EXACT) exact.add(method.name());
+            else below.append(section(hazard, method, tried, cell.asRecorded()));
         }
-        rows.append("</tr>\n");
         cells.append("<h2 id=\"%s\">%s</h2>\n".formatted(hazard.name(), text(title)));
         cells.append("<p>%s</p>\n".formatted(text(said(hazard))));
         if (!exact.isEmpty()) {
@@ -118,28 +114,18 @@ public final class HazardPage<C, I, O> {
         return TopicTexts.of(topic.name(), texts.language()).hazard(hazard);
     }
 
-    private void addCell(Hazard<I> hazard, Method<C> method, Verdict.Kind kind, boolean known) {
-        String sign = signed(kind) + (known ? "" : " !");
-        String place = kind == Verdict.Kind.EXACT ? hazard.name() : id(hazard, method);
-        rows.append(
-                "<td class=\"%s\"><a href=\"#%s\" title=\"%s\">%s</a></td>"
-                        .formatted(
-                                kind.code(),
-                                place,
-                                text(repeating(hazard, method.name())),
-                                text(sign)));
-    }
-
     private String section(Hazard<I> hazard, Method<C> method, Tried<O> tried, boolean known) {
         Verdict verdict = tried.verdict();
         var html =
                 new StringBuilder(
                         "<section id=\"%s\"><h3 class=\"%s\">%s: %s</h3>\n"
                                 .formatted(
-                                        id(hazard, method),
+                                        VerdictTable.id(hazard.name(), method.name()),
                                         verdict.kind().code(),
                                         text(method.name()),
-                                        text(signed(verdict.kind()) + (known ? "" : " !"))));
+                                        text(
+                                                VerdictTable.signed(verdict.kind(), words)
+                                                        + (known ? "" : " !"))));
         String detail = VerdictDetail.saidToTypist(texts.language(), verdict.detail());
         if (!verdict.detail().isEmpty()) html.append("<p>%s</p>\n".formatted(text(detail)));
         String code = texts.locale().getLanguage();
@@ -170,16 +156,8 @@ public final class HazardPage<C, I, O> {
                 : Optional.empty();
     }
 
-    private String signed(Verdict.Kind kind) {
-        return HazardHtml.sign(kind) + " " + words.verdict(kind);
-    }
-
     private String repeating(Hazard<I> hazard, String method) {
-        return "./lab run %s %s --hazard %s".formatted(topic.name(), method, hazard.name());
-    }
-
-    private String id(Hazard<I> hazard, Method<C> method) {
-        return hazard.name() + "." + method.name();
+        return VerdictTable.repeating(topic.name(), method, hazard.name());
     }
 
     private static String command(String typed) {

@@ -37,9 +37,11 @@ public record HazardMatrix(
     }
 
     /**
+     * The verdicts of a topic that are there.
+     *
      * @param cells one for each pair, or the first of them
      */
-    static HazardMatrix of(Topic<?, ?, ?> topic, List<Cell> cells) {
+    public static HazardMatrix of(Topic<?, ?, ?> topic, List<Cell> cells) {
         return new HazardMatrix(
                 topic.name(),
                 topic.methods().stream().map(Method::name).toList(),

@@ -51,7 +51,7 @@ record HazardPages(Console console, Path place) {
     private boolean write(Topic<?, ?, ?> topic, Path file) {
         HazardPage.Written page = HazardPage.of(topic, HazardTrial.WALL_LIMIT, language());
         write(file, page.html());
-        return page.asRecorded();
+        return page.matrix().asRecorded();
     }
 
     private void write(Path file, String html) {
