@@ -1,10 +1,10 @@
 package rasterlab.app.findings;
 
 import java.awt.Color;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +12,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.findings.FoundContents.Found;
+import rasterlab.app.hazard.HazardPage;
+import rasterlab.app.hazard.VerdictTable;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -22,21 +24,35 @@ import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.app.study.front.StudyPlot;
 import rasterlab.engine.study.Circumstances;
-import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyRunner;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 
 /** Measures topics and writes what was found: a folder of pages, charts and numbers. */
 public final class Findings {
     private static final ChartLook DARK =
             new ChartLook(new Color(0x16, 0x19, 0x1f), new Color(0xe6, 0xe9, 0xee));
 
+    /** How many times a fixed load's median is off where a share would say little. */
+    private static final double BUSY = 2;
+
     static final String CHARTS = "charts";
     private static final String DATA = "data";
+    private static final String HAZARDS = "hazards";
+
+    private static final Verdict.Kind DEGRADED = Verdict.Kind.DEGRADED;
+
+    /** The charts of a page, in their order. */
+    private static final List<StudyPlot> SHOWN =
+            List.of(
+                    StudyPlot.FRONT,
+                    StudyPlot.ERROR_BY_INPUT,
+                    StudyPlot.SIZES,
+                    StudyPlot.COST_GROWTH,
+                    StudyPlot.ERROR_GROWTH);
 
     private final Path folder;
     private final StudySettings settings;
@@ -80,6 +96,7 @@ public final class Findings {
     public boolean write(List<? extends Topic<?, ?, ?>> topics) {
         WholeFile.requireFolder(folder.resolve(CHARTS));
         WholeFile.requireFolder(folder.resolve(DATA));
+        WholeFile.requireFolder(folder.resolve(HAZARDS));
         WholeFile.requireWritable(index());
         Map<Topic<?, ?, ?>, Found> found = new LinkedHashMap<>();
         for (Topic<?, ?, ?> topic : topics) {
@@ -117,7 +134,7 @@ public final class Findings {
         try {
             Study study = StudyRunner.measure(topic, settings, step -> {}, stopped);
             if (study.measurements().isEmpty()) return Found.none(texts.text("notMeasured"));
-            HazardMatrix hazards = HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT);
+            HazardMatrix hazards = judged(topic);
             List<String> said = new FoundWords(topic, study, hazards, language).sentences();
             writeData(study);
             writeTopic(topic, study, hazards, said);
@@ -129,6 +146,18 @@ public final class Findings {
             String reason = e.getMessage() == null ? e.toString() : e.getMessage();
             return Found.none(texts.text("failed", Complaints.said(language, reason)));
         }
+    }
+
+    /** Tries the hazards, and writes the page with each verdict's picture and command. */
+    private HazardMatrix judged(Topic<?, ?, ?> topic) {
+        HazardPage.Written page = HazardPage.of(topic, HazardTrial.WALL_LIMIT, language);
+        WholeFile.write(
+                folder.resolve(hazardPage(topic)), page.html().getBytes(StandardCharsets.UTF_8));
+        return page.matrix();
+    }
+
+    private static String hazardPage(Topic<?, ?, ?> topic) {
+        return HAZARDS + "/" + topic.name() + ".html";
     }
 
     private void writeData(Study study) {
@@ -155,8 +184,7 @@ public final class Findings {
         page.link("index.html", texts.text("contents"), "");
         said.forEach(page::paragraph);
         if (!study.isWhole()) page.warning(texts.text("cut"));
-        for (StudyPlot plot :
-                List.of(StudyPlot.FRONT, StudyPlot.COST_GROWTH, StudyPlot.ERROR_GROWTH)) {
+        for (StudyPlot plot : SHOWN) {
             String name = CHARTS + "/" + topic.name() + "-" + plot.code();
             page.begin("shown");
             page.chart(name, texts.text("chart." + plot.code()), name + ".svg");
@@ -167,7 +195,9 @@ public final class Findings {
             page.end();
         }
         page.heading(texts.text("hazards")).paragraph(texts.text("hazards.meaning"));
-        page.table(heads(hazards), rows(topic, hazards));
+        if (hazards.cells().stream().anyMatch(cell -> cell.verdict().kind() == DEGRADED))
+            page.paragraph(VerdictTable.rule(DEGRADED, language));
+        page.verdicts(VerdictTable.of(topic, hazards, language, hazardPage(topic)));
         page.command(command("hazards " + topic.name()));
         page.heading(texts.text("how")).paragraph(how(how, study));
         page.link(DATA + "/" + topic.name() + ".json", "JSON", texts.text("data.json"));
@@ -180,35 +210,16 @@ public final class Findings {
                 .format(how.begun().atZone(ZoneOffset.UTC));
     }
 
-    private static List<String> heads(HazardMatrix hazards) {
-        var heads = new ArrayList<String>(List.of(""));
-        heads.addAll(hazards.methods());
-        return heads;
-    }
-
-    private List<List<String>> rows(Topic<?, ?, ?> topic, HazardMatrix hazards) {
-        var words = new StudyWords(language);
-        var rows = new ArrayList<List<String>>();
-        for (Hazard<?> hazard : topic.hazards()) {
-            var row = new ArrayList<String>(List.of(called.hazard(topic, hazard)));
-            for (String method : hazards.methods()) {
-                Cell cell = hazards.cell(hazard.name(), method);
-                String verdict = words.verdict(cell.verdict().kind());
-                row.add(cell.asRecorded() ? verdict : verdict + " !");
-            }
-            rows.add(row);
-        }
-        return rows;
-    }
-
     private String how(Circumstances how, Study study) {
         double noise = how.fixed().keySet().stream().mapToDouble(study::noise).max().orElse(1);
         return texts.text(
-                "how.measured",
+                noise < BUSY ? "how.measured" : "how.busy",
                 begun(how),
                 StudyFile.machine(),
                 String.format(texts.locale(), "%.1f", Math.max(0, how.loadBefore())),
-                String.format(texts.locale(), "%.1f", 100 * (noise - 1)),
+                noise < BUSY
+                        ? String.format(texts.locale(), "%.1f", 100 * (noise - 1))
+                        : (Object) Math.round(noise),
                 how.settings().seed());
     }
 }

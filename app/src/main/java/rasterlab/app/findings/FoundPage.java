@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import java.util.regex.Pattern;
+import rasterlab.app.hazard.VerdictTable;
 import rasterlab.app.language.Texts;
 import rasterlab.app.tour.Html;
 
@@ -54,8 +54,9 @@ final class FoundPage {
         return this;
     }
 
-    FoundPage table(List<String> heads, List<List<String>> rows) {
-        body.append(Html.table(heads, rows));
+    /** The verdicts on a topic's hazards. */
+    FoundPage verdicts(String table) {
+        body.append(table);
         return this;
     }
 
@@ -142,7 +143,7 @@ final class FoundPage {
                         texts.locale().getLanguage(),
                         head,
                         Html.escaped(title),
-                        Html.style() + style(),
+                        Html.style() + style() + VerdictTable.COLOURS,
                         Html.escaped(title),
                         body)
                 .getBytes(StandardCharsets.UTF_8);

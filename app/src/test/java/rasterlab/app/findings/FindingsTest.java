@@ -9,23 +9,16 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
-import rasterlab.app.study.HazardMatrix;
-import rasterlab.engine.line.LineTopic;
-import rasterlab.engine.study.Cost;
-import rasterlab.engine.study.Deviation;
-import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.Measurement;
-import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
-import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.matrix.MatrixTopic;
+import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.view.ViewTopic;
 
 @Tag("slow")
@@ -63,6 +56,10 @@ class FindingsTest {
                 List.of(
                         "./lab study view --quick --seed 1 --chart front --out front.svg",
                         "./lab hazards view",
+                        "./lab study view --quick --seed 1 --chart error-by-input --out",
+                        "charts/view-error-by-input.svg",
+                        "./lab study view --quick --seed 1 --chart sizes --out sizes.svg",
+                        "charts/view-sizes-dark.svg",
                         "charts/view-cost-growth-dark.svg",
                         "data/view.json")) assertTrue(view.contains(wanted), wanted);
         for (String link : List.of("charts/view-front.svg", "data/view.json", "data/view.csv"))
@@ -70,6 +67,25 @@ class FindingsTest {
         assertTrue(page("index.html").contains("<a href=\"matrix.html\">"));
         assertTrue(page("course.html").contains("charts/matrix-front.svg"));
         assertTrue(view.contains("@media print"));
+    }
+
+    @Test
+    @DisplayName("verdicts stand without colour, sign or a way to their picture and command")
+    void verdictsLookAndLeadAsOnThePageOfHazards() throws Exception {
+        assertTrue(findings(false, Language.ENGLISH).write(List.of(new RotateTopic())));
+        String rotate = page("rotate.html");
+        String hazards = page("hazards/rotate.html");
+        Matcher cell =
+                Pattern.compile(
+                                "<td class=\"degraded\"><a href=\"hazards/rotate.html#([^\"]+)\""
+                                        + " title=\"\\./lab run rotate ([^\"]+)\">≈ degraded</a>")
+                        .matcher(rotate);
+        assertTrue(cell.find(), rotate);
+        assertTrue(hazards.contains("<section id=\"" + cell.group(1) + "\">"), cell.group(1));
+        assertTrue(hazards.contains("<pre>./lab run rotate " + cell.group(2) + "</pre>"), hazards);
+        assertTrue(hazards.contains("<a href=\"#" + cell.group(1) + "\""), "on its own page");
+        assertTrue(rotate.contains(".degraded{border-left-color:"), "colour");
+        assertTrue(rotate.contains("<p>≈ degraded: The answer is not exact, but"), "the rule");
     }
 
     @Test
@@ -108,68 +124,5 @@ class FindingsTest {
         assertTrue(view.contains("./lab --lang ru hazards view"));
         assertTrue(view.contains("<h1>Вид по"), "a title begins with a capital");
         assertFalse(Pattern.compile("<p>[^<]*\\d \\p{L}").matcher(view).find());
-    }
-
-    private static Measurement timed(String method, double nanos, double error) {
-        return timed(method, "points-16", nanos, error);
-    }
-
-    private static Measurement timed(String method, String workload, double nanos, double error) {
-        var rounds = new ArrayList<Double>();
-        for (int i = 0; i < 12; i++) rounds.add(nanos * (1 + 0.001 * i));
-        return new Measurement(
-                method,
-                workload,
-                16,
-                Cost.of(rounds, Map.of()),
-                new Deviation(error, 0, 0, 9, ""),
-                error == 0 ? Verdict.Kind.EXACT : Verdict.Kind.DEGRADED,
-                "");
-    }
-
-    @Test
-    void sentencesSayNoMoreThanTheNumbers() {
-        var topic = new ViewTopic();
-        HazardMatrix hazards = HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT);
-        String told = sentences(topic, hazards, 30);
-        assertTrue(told.contains("The quickest exact method: taken-apart (16 points)"), told);
-        assertTrue(told.contains("exactness costs 3.00 times as much (between 2.9"), told);
-        assertTrue(told.contains("It fails first at the workload “16 points”: one-matrix"), told);
-        String open = sentences(topic, hazards, 10.3);
-        assertTrue(open.startsWith("The quickest exact method: taken-apart (16 points)."), open);
-        assertTrue(open.contains("it is not told what exactness costs"), open);
-    }
-
-    @Test
-    @DisplayName("a winner is named once for each workload, or a sentence ends in two stops")
-    void aWinnerIsNamedOnceWithAllItsWorkloads() {
-        var topic = new LineTopic();
-        HazardMatrix none = new HazardMatrix("line", List.of(), List.of(), List.of());
-        var study =
-                new Study(
-                        "line",
-                        "pixel",
-                        "pixels",
-                        List.of(
-                                timed("dda", "length-16", 10, 0),
-                                timed("dda", "length-64", 10, 0),
-                                timed("dda", "length-256", 10, 0),
-                                timed("bresenham", "length-256", 10, 0)));
-        assertEquals(
-                "Самый быстрый точный метод: dda (отрезки по 16\u00a0пикс.; отрезки по 64\u00a0пикс.)."
-                        + " Какой из точных методов самый быстрый, на этой машине в то время не"
-                        + " различить на нагрузках: отрезки по 256\u00a0пикс.",
-                new FoundWords(topic, study, none, Language.RUSSIAN).sentences().get(0));
-    }
-
-    private static String sentences(ViewTopic topic, HazardMatrix hazards, double nanos) {
-        var study =
-                new Study(
-                        "view",
-                        "point",
-                        "of the largest coordinate",
-                        List.of(timed("one-matrix", 10, 0.5), timed("taken-apart", nanos, 0)));
-        return String.join(
-                "\n", new FoundWords(topic, study, hazards, Language.ENGLISH).sentences());
     }
 }
