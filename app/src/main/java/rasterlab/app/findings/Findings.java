@@ -36,9 +36,6 @@ public final class Findings {
     private static final ChartLook DARK =
             new ChartLook(new Color(0x16, 0x19, 0x1f), new Color(0xe6, 0xe9, 0xee));
 
-    /** How many times a fixed load's median is off where a share would say little. */
-    private static final double BUSY = 2;
-
     static final String CHARTS = "charts";
     private static final String DATA = "data";
     private static final String HAZARDS = "hazards";
@@ -135,10 +132,10 @@ public final class Findings {
             Study study = StudyRunner.measure(topic, settings, step -> {}, stopped);
             if (study.measurements().isEmpty()) return Found.none(texts.text("notMeasured"));
             HazardMatrix hazards = judged(topic);
-            List<String> said = new FoundWords(topic, study, hazards, language).sentences();
+            var words = new FoundWords(topic, study, hazards, language);
             writeData(study);
-            writeTopic(topic, study, hazards, said);
-            String first = said.get(0);
+            writeTopic(topic, study, hazards, words);
+            String first = words.sentences().get(0);
             return study.isWhole()
                     ? new Found(true, true, first)
                     : new Found(false, true, first + " " + texts.text("cut"));
@@ -177,12 +174,12 @@ public final class Findings {
     }
 
     private void writeTopic(
-            Topic<?, ?, ?> topic, Study study, HazardMatrix hazards, List<String> said) {
+            Topic<?, ?, ?> topic, Study study, HazardMatrix hazards, FoundWords words) {
         Circumstances how = study.circumstances().orElseThrow();
         var origin = new PageOrigin(shared(), begun(how));
         var page = new FoundPage(FoundWords.capital(called.topic(topic.name())), texts, origin);
         page.link("index.html", texts.text("contents"), "");
-        said.forEach(page::paragraph);
+        words.sentences().forEach(page::paragraph);
         if (!study.isWhole()) page.warning(texts.text("cut"));
         for (StudyPlot plot : SHOWN) {
             String name = CHARTS + "/" + topic.name() + "-" + plot.code();
@@ -199,27 +196,15 @@ public final class Findings {
             page.paragraph(VerdictTable.rule(DEGRADED, language));
         page.verdicts(VerdictTable.of(topic, hazards, language, hazardPage(topic)));
         page.command(command("hazards " + topic.name()));
-        page.heading(texts.text("how")).paragraph(how(how, study));
+        page.heading(texts.text("how")).paragraph(words.measured(how));
         page.link(DATA + "/" + topic.name() + ".json", "JSON", texts.text("data.json"));
         page.link(DATA + "/" + topic.name() + ".csv", "CSV", texts.text("data.csv"));
         WholeFile.write(FoundContents.page(folder, topic), page.html());
     }
 
-    private static String begun(Circumstances how) {
+    /** When a study was begun, as people read it. */
+    static String begun(Circumstances how) {
         return DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
                 .format(how.begun().atZone(ZoneOffset.UTC));
-    }
-
-    private String how(Circumstances how, Study study) {
-        double noise = how.fixed().keySet().stream().mapToDouble(study::noise).max().orElse(1);
-        return texts.text(
-                noise < BUSY ? "how.measured" : "how.busy",
-                begun(how),
-                StudyFile.machine(),
-                String.format(texts.locale(), "%.1f", Math.max(0, how.loadBefore())),
-                noise < BUSY
-                        ? String.format(texts.locale(), "%.1f", 100 * (noise - 1))
-                        : (Object) Math.round(noise),
-                how.settings().seed());
     }
 }

@@ -14,8 +14,10 @@ import java.util.stream.Stream;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.HazardMatrix;
+import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
+import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
@@ -37,6 +39,9 @@ final class FoundWords {
 
     private static final Set<Verdict.Kind> REFUSALS = EnumSet.of(Verdict.Kind.REFUSED);
     private static final Set<Verdict.Kind> DEGRADED = EnumSet.of(Verdict.Kind.DEGRADED);
+
+    /** How many times a fixed load's median is off where a share would say little. */
+    private static final double BUSY = 2;
 
     private final Topic<?, ?, ?> topic;
     private final Study study;
@@ -70,6 +75,20 @@ final class FoundWords {
                         .collect(Collectors.joining(" ")));
         hardest().ifPresent(said::add);
         return said;
+    }
+
+    /** When and where it was measured, and how far its times can be trusted. */
+    String measured(Circumstances how) {
+        double noise = how.fixed().keySet().stream().mapToDouble(study::noise).max().orElse(1);
+        return texts.text(
+                noise < BUSY ? "how.measured" : "how.busy",
+                Findings.begun(how),
+                StudyFile.machine(),
+                String.format(texts.locale(), "%.1f", Math.max(0, how.loadBefore())),
+                noise < BUSY
+                        ? String.format(texts.locale(), "%.1f", 100 * (noise - 1))
+                        : (Object) Math.round(noise),
+                how.settings().seed());
     }
 
     /** A name as it stands at the beginning of a line. */

@@ -1,16 +1,20 @@
 package rasterlab.app.findings;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -18,6 +22,7 @@ import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.view.ViewTopic;
 
@@ -166,6 +171,34 @@ class FoundWordsTest {
                 "Трудный случай, на котором ошибается больше всего методов,\u00a0— X:"
                         + " 1\u00a0из\u00a02; 1 отказывается.",
                 hardest(Language.RUSSIAN, Verdict.Kind.CRASHED, refused));
+    }
+
+    private static String measured(Language language, double slowest) {
+        var how =
+                new Circumstances(
+                        StudySettings.quick(),
+                        Instant.parse("2026-11-28T02:30:00Z"),
+                        1.2,
+                        3.5,
+                        Map.of("points-16", List.of(1.0, 1.0, slowest, slowest, slowest)),
+                        true);
+        var measured = List.of(timed("taken-apart", 5, 0));
+        var study = new Study("view", "point", "coordinates", measured, Optional.of(how));
+        return new FoundWords(VIEW, study, NONE, language).measured(how);
+    }
+
+    @Test
+    @DisplayName("a machine too busy to conclude is told as thousands of per cent")
+    void muchNoiseIsToldInTimes() {
+        String quiet = measured(Language.ENGLISH, 1.1);
+        assertTrue(quiet.contains("median of a fixed load was off by up to"), quiet);
+        assertTrue(quiet.contains(" % in the same rounds; seed 1."), quiet);
+        String busy = measured(Language.ENGLISH, 382);
+        assertTrue(busy.contains("was off by a factor of up to 382 in the same rounds"), busy);
+        assertTrue(busy.contains("too busy to conclude about methods that differ by less"), busy);
+        assertFalse(busy.contains("%"), busy);
+        String russian = measured(Language.RUSSIAN, 382);
+        assertTrue(russian.contains("отклонялась в пределах до 382 раз: машина слишком"), russian);
     }
 
     @Test
