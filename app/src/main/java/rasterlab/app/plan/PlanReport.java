@@ -11,16 +11,18 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.plan.Combination;
 import rasterlab.engine.plan.Plan;
 import rasterlab.engine.plan.PlanDecision;
+import rasterlab.engine.plan.PlanPath;
 import rasterlab.engine.plan.PlanTrial;
 
 /**
  * The bill of a plan: what is left out, why, and what that saves, predicted and measured.
  *
  * @param trial the plan beside the full pipeline
+ * @param path what deciding takes while the camera moves
  * @param costs where the predicted costs come from
  * @param proof all other ways within the tolerance, the cheapest first; empty unless asked for
  */
-public record PlanReport(PlanTrial trial, String costs, List<Combination> proof) {
+public record PlanReport(PlanTrial trial, PlanPath path, String costs, List<Combination> proof) {
 
     /** Prints it for people. */
     public void print(PrintStream out, Language language) {
@@ -71,7 +73,14 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
                                 stage.getValue().toString(),
                                 full.get(stage.getKey()).toString()));
         out.println(range(texts, plan));
-        out.println(texts.text("deciding", number(plan.decidingMilliseconds())));
+        out.println(
+                texts.text(
+                        "deciding",
+                        number(path.firstMilliseconds()),
+                        number(path.perPicture()),
+                        Integer.toString(path.pictures()),
+                        Integer.toString(path.plans()),
+                        number(100 * path.perPicture() / trial.fullProcessor())));
         if (trial.steppedBack() > 0) out.println(texts.text("back", trial.steppedBack() + ""));
         out.println(texts.text("costs", costs));
         printProof(out, texts);
@@ -141,6 +150,13 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
         json.writeNumberField("zoom", plan.range().zoom());
         json.writeEndObject();
         json.writeNumberField("decidingMilliseconds", plan.decidingMilliseconds());
+        json.writeObjectFieldStart("path");
+        json.writeNumberField("pictures", path.pictures());
+        json.writeNumberField("plans", path.plans());
+        json.writeNumberField("firstMilliseconds", path.firstMilliseconds());
+        json.writeNumberField("perPictureMilliseconds", path.perPicture());
+        json.writeNumberField("shareOfFullPicture", path.perPicture() / trial.fullProcessor());
+        json.writeEndObject();
         json.writeNumberField("steppedBack", trial.steppedBack());
         json.writeStringField("costs", costs);
         if (!proof.isEmpty()) writeProof(json);

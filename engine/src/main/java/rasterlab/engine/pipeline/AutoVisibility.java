@@ -48,7 +48,7 @@ final class AutoVisibility {
                     "zfloat",
                     Reason.of("paint", "transparent faces, coloured by a paint of their own"),
                     areas);
-        return new SightChoice(facts, seen.viewed(), costs).exact(light, areas);
+        return new SightChoice(facts, seen::viewed, costs).exact(light, areas);
     }
 
     private static Sight plain(String method, Reason reason, ScreenAreas areas) {

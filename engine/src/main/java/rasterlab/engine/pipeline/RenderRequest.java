@@ -55,6 +55,13 @@ public record RenderRequest(
         return new RenderRequest(scene, camera, projection, depth, width, height, other);
     }
 
+    /** The same picture from another camera; the usual depths go with its distance. */
+    public RenderRequest from(SphericalView other) {
+        boolean usual = depth.equals(DrawnDepths.all(projection, camera.rho()));
+        DrawnDepths depths = usual ? DrawnDepths.all(projection, other.rho()) : depth;
+        return new RenderRequest(scene, other, projection, depths, width, height, look);
+    }
+
     /** The same picture of another scene. */
     public RenderRequest with(Scene other) {
         return new RenderRequest(other, camera, projection, depth, width, height, look);

@@ -14,7 +14,6 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.sight.SightChoice;
 import rasterlab.engine.sight.SightFacts;
 
 /**
@@ -115,7 +114,10 @@ public final class BruteForce {
                         .withTexture(mode)
                         .withShading(ShadingMethod.PHONG);
         var view = RequestView.of(base, base.width()).viewed();
-        boolean fronts = SightChoice.frontsOnly(new SightFacts(base.scene()), view);
+        boolean fronts =
+                view.clipPlaneCount() == 0
+                        && !view.cutsOpen()
+                        && new SightFacts(base.scene()).closed();
         put(ways, base, faces, look.withSavings(new Savings(tolerance.levels(), fronts)));
         if (!fronts) return;
         for (ShadingMethod shading :

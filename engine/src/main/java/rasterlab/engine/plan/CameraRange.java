@@ -16,6 +16,9 @@ public record CameraRange(SphericalView at, double turn, double zoom) {
 
     static final double ZOOM = 1.05;
 
+    /** The room of a plan whose proofs hold from all around: farther off, its costs are others. */
+    static final double WIDE = Math.toRadians(30);
+
     public CameraRange {
         Bounds.requireAtLeast("turn", turn, 0);
         Bounds.requireAtLeast("zoom", zoom, 1);
@@ -24,6 +27,11 @@ public record CameraRange(SphericalView at, double turn, double zoom) {
     /** The cameras near one. */
     static CameraRange around(SphericalView at) {
         return new CameraRange(at, TURN, ZOOM);
+    }
+
+    /** The cameras at about one's distance, on its side of the scene. */
+    static CameraRange wide(SphericalView at) {
+        return new CameraRange(at, WIDE, ZOOM);
     }
 
     /** One camera alone. */

@@ -52,14 +52,7 @@ public record Plan(
         if (!within(camera))
             throw new IllegalArgumentException(
                     "camera must be within %s, got %s".formatted(range, camera));
-        return new RenderRequest(
-                least.scene(),
-                camera,
-                least.projection(),
-                least.depth(),
-                least.width(),
-                least.height(),
-                least.look());
+        return least.from(camera);
     }
 
     /** The largest bound of the decisions together, in levels. */

@@ -6,10 +6,7 @@ import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
-import rasterlab.contract.Reflection;
-import rasterlab.engine.light.Light;
-import rasterlab.engine.light.LightModel;
+import java.util.function.Supplier;
 import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
@@ -18,16 +15,17 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.SceneLight;
+import rasterlab.engine.sight.DepthReach;
 import rasterlab.engine.sight.LightWork;
-import rasterlab.engine.sight.Reason;
 import rasterlab.engine.sight.ScreenAreas;
-import rasterlab.engine.sight.SightChoice;
 import rasterlab.engine.sight.SightChoice.Sight;
 import rasterlab.engine.sight.SightFacts;
+import rasterlab.engine.sight.SightPlan;
 import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.sight.cost.Family;
 import rasterlab.engine.sight.cost.PictureWork;
+import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
@@ -39,12 +37,12 @@ import rasterlab.engine.visibility.ViewedMesh;
  * plan.
  */
 public final class Planner {
-    /** Scenes of which the facts are kept: what is asked for and what is drawn, now and before. */
-    private static final int KEPT = 4;
+    /** Scenes that are kept: what is asked for, lit and drawn, now and before. */
+    private static final int KEPT = 9;
 
     private final Costs costs;
     private final int cores;
-    private final Deque<SightFacts> known = new ArrayDeque<>();
+    private final Deque<KnownScene> known = new ArrayDeque<>();
 
     public Planner() {
         this(Runtime.getRuntime().availableProcessors(), Costs.measured());
@@ -59,6 +57,11 @@ public final class Planner {
         this.costs = costs;
     }
 
+    /** A planner with the same costs that has met no scene. */
+    public Planner fresh() {
+        return new Planner(cores, costs);
+    }
+
     /** Where the costs come from. */
     public String costOrigin() {
         return costs.origin();
@@ -66,9 +69,8 @@ public final class Planner {
 
     /** The full pipeline's picture of a view: what a plan is held against. */
     public RenderRequest full(RenderRequest asked) {
-        RequestView seen = RequestView.of(asked, asked.width());
-        SightFacts facts = facts(seen.scene());
-        ViewedMesh view = seen.viewed();
+        SightFacts facts = known(asked.scene()).facts();
+        Supplier<ViewedMesh> view = () -> RequestView.of(asked, asked.width()).viewed();
         boolean tree = facts.overlap(view) || facts.glass() && facts.crossing(view);
         boolean textured =
                 asked.look().texture() != TextureMode.NONE
@@ -85,59 +87,91 @@ public final class Planner {
     /**
      * @param asked the scene, camera and size; how it says it is drawn does not count
      */
-    public Plan plan(RenderRequest asked, Tolerance tolerance) {
+    public synchronized Plan plan(RenderRequest asked, Tolerance tolerance) {
         long start = System.nanoTime();
         RenderRequest full = full(asked);
-        List<PlanDecision> decisions = new ArrayList<>();
-        LampPlan.Result lamps = LampPlan.of(full.scene(), tolerance.levels(), decisions);
-        Scene scene = withoutDarkTerms(lamps.scene(), decisions);
-        ViewedMesh whole = RequestView.of(full, full.width()).viewed();
-        Optional<ShapePlan.Result> parts = new ShapePlan(scene, whole, tolerance).plan();
-        if (parts.isPresent()) {
-            scene = parts.get().scene();
-            decisions.addAll(parts.get().decisions());
-        }
-        double left = tolerance.levels() - lamps.levels() - ofFaces(parts);
-        RenderRequest request = full.with(scene);
-        RequestView seen = RequestView.of(request, request.width());
-        var areas = new ScreenAreas(seen.viewed());
-        TexturePlan texturing = TexturePlan.of(full, seen, left, decisions);
+        var whole = ShownFaces.of(full, known(full.scene()), false);
+        LeastLight light = whole.known().light(tolerance.levels());
+        List<PlanDecision> decisions = new ArrayList<>(light.decisions());
+        ViewedMesh view = whole.seen().viewed();
+        KnownScene lit = known(light.scene());
+        Optional<ShapePlan.Result> parts =
+                new ShapePlan(lit, view.transform(), view.fit(), tolerance).plan();
+        parts.ifPresent(result -> decisions.addAll(result.decisions()));
+        RenderRequest request = full.with(parts.map(ShapePlan.Result::scene).orElse(light.scene()));
+        KnownScene known = known(request.scene());
+        Optional<DepthReach> reach = reach(request, view, known.facts());
+        ShownFaces shown = ShownFaces.of(request, known, fronts(request, reach, known.facts()));
+        double left = tolerance.levels() - light.levels() - ofFaces(parts);
+        TexturePlan texturing = TexturePlan.of(full, shown, left, decisions);
         left -= texturing.levels();
-        boolean fronts = SightChoice.frontsOnly(facts(scene), seen.viewed());
-        var shown =
-                new ShadingPlan.Shown(
-                        request, seen, areas, fronts, facts(scene).glass(), texturing.reads());
-        ShadingPlan shading = ShadingPlan.of(shown, left, this::predicted, decisions);
-        Sight sight = sight(shown, shading, decisions);
+        ShadingPlan shading =
+                ShadingPlan.of(shown, texturing.reads(), left, this::predicted, decisions);
+        Sight sight = sight(shown, reach, shading, decisions);
         Look look =
                 request.look()
                         .withVisibility(sight.method())
                         .withShading(shading.planned(sight))
                         .withTexture(texturing.mode())
                         .withSavings(new Savings(shading.levels(), sight.frontsOnly()));
-        boolean here = sight.fromHere() || texturing.fromHere() || shading.fromHere();
+        boolean here = sight.fromHere() || texturing.fromHere();
+        boolean near = !shading.around() || parts.map(ShapePlan.Result::narrow).orElse(false);
         return new Plan(
                 full,
                 request.with(look),
                 tolerance,
                 decisions,
-                here ? CameraRange.only(full.camera()) : CameraRange.around(full.camera()),
-                fullCost(full, whole),
+                range(full.camera(), here, near),
+                fullCost(full, whole.areas()),
                 new Plan.Cost(sight.work(), sight.milliseconds()),
                 (System.nanoTime() - start) / 1e6);
+    }
+
+    private static CameraRange range(SphericalView at, boolean here, boolean near) {
+        if (here) return CameraRange.only(at);
+        return near ? CameraRange.around(at) : CameraRange.wide(at);
+    }
+
+    /** The depths that a scene has in a plan's range; empty in parallel projection. */
+    private static Optional<DepthReach> reach(
+            RenderRequest request, ViewedMesh view, SightFacts facts) {
+        if (!view.transform().central()) return Optional.empty();
+        double rho = view.transform().distance();
+        PictureFit fit = view.fit();
+        double tangent =
+                Math.hypot(
+                                Math.max(-fit.toPlaneX(0), fit.toPlaneX(fit.width())),
+                                Math.max(fit.toPlaneY(0), -fit.toPlaneY(fit.height())))
+                        / rho;
+        return Optional.of(
+                DepthReach.of(
+                        facts.radius(),
+                        rho / CameraRange.ZOOM,
+                        rho * CameraRange.ZOOM,
+                        request.depth().near(),
+                        tangent));
+    }
+
+    /** Whether faces that show their backs can be left out, wherever the camera is in its range. */
+    private static boolean fronts(
+            RenderRequest request, Optional<DepthReach> reach, SightFacts facts) {
+        return request.look().clipPlanes().isEmpty()
+                && reach.map(DepthReach::whole).orElse(false)
+                && facts.closed();
     }
 
     /** The plan that leaves nothing out, for what no other plan is enough. */
     public Plan nothingLeftOut(RenderRequest asked, Tolerance tolerance) {
         long start = System.nanoTime();
         RenderRequest full = full(asked);
-        Plan.Cost cost = fullCost(full, RequestView.of(full, full.width()).viewed());
+        ShownFaces shown = ShownFaces.of(full, known(full.scene()), false);
+        Plan.Cost cost = fullCost(full, shown.areas());
         return new Plan(
                 full,
                 full,
                 tolerance,
                 List.of(),
-                CameraRange.around(full.camera()),
+                CameraRange.wide(full.camera()),
                 cost,
                 cost,
                 (System.nanoTime() - start) / 1e6);
@@ -152,53 +186,23 @@ public final class Planner {
                 .orElse(0);
     }
 
-    /** Highlights are left out where neither a material nor a lamp has any. */
-    private static Scene withoutDarkTerms(Scene scene, List<PlanDecision> decisions) {
-        LightModel model = scene.light().model();
-        boolean bright =
-                Stream.concat(
-                                model.lights().stream().map(Light::source),
-                                scene.light().atEye().stream())
-                        .anyMatch(source -> any(source.specular()));
-        boolean mirror =
-                scene.finishes().stream()
-                        .flatMap(f -> Stream.of(f.front(), f.back()))
-                        .anyMatch(material -> any(material.surface().specular()));
-        if (model.reflection() == Reflection.LAMBERT || bright && mirror) return scene;
-        decisions.add(
-                PlanDecision.exact(
-                        "terms",
-                        "ambient, diffuse, emission",
-                        "ambient, diffuse, specular, emission",
-                        bright
-                                ? Reason.of("dull", "no material mirrors light")
-                                : Reason.of("lamps", "no lamp gives highlights")));
-        return new Scene(
-                scene.name(),
-                scene.mesh(),
-                scene.finishes(),
-                scene.finishOf(),
-                new SceneLight(model.with(Reflection.LAMBERT), scene.light().atEye()),
-                scene.backgroundRgb(),
-                scene.defaultCamera(),
-                scene.pictureScale(),
-                scene.surfaces());
-    }
-
-    private static boolean any(double[] shares) {
-        return shares[0] > 0 || shares[1] > 0 || shares[2] > 0;
-    }
-
     private double predicted(PictureWork work) {
         return costs.milliseconds(Family.PIPELINE, work, cores);
     }
 
     private Sight sight(
-            ShadingPlan.Shown shown, ShadingPlan shading, List<PlanDecision> decisions) {
-        ViewedMesh view = shown.seen().viewed();
-        var choice = new SightChoice(facts(shown.seen().scene()), view, costs);
+            ShownFaces shown,
+            Optional<DepthReach> reach,
+            ShadingPlan shading,
+            List<PlanDecision> decisions) {
+        var choice = new SightPlan(shown.facts(), reach, () -> shown.all().viewed(), costs);
         Sight sight =
-                choice.choose(shading.directWork(), shading.paintedWork(), shown.areas(), cores);
+                choice.choose(
+                        shading.directWork(),
+                        shading.paintedWork(),
+                        shown.areas(),
+                        shown.fronts(),
+                        cores);
         String method = sight.method();
         boolean fronts = sight.frontsOnly() && method.equals(Renderer.PIPELINE);
         decisions.add(
@@ -210,8 +214,7 @@ public final class Planner {
         return sight;
     }
 
-    private Plan.Cost fullCost(RenderRequest full, ViewedMesh view) {
-        var areas = new ScreenAreas(view);
+    private Plan.Cost fullCost(RenderRequest full, ScreenAreas areas) {
         int reads = full.look().texture() == TextureMode.NONE ? 0 : 8;
         var all = new boolean[areas.faces()];
         Arrays.fill(all, true);
@@ -222,11 +225,22 @@ public final class Planner {
                 work, costs.milliseconds(family, work, family == Family.PIPELINE ? cores : 1));
     }
 
-    private synchronized SightFacts facts(Scene scene) {
-        for (SightFacts facts : known) if (facts.of(scene)) return facts;
-        var facts = new SightFacts(scene);
-        known.addFirst(facts);
+    private synchronized KnownScene known(Scene scene) {
+        for (KnownScene each : known)
+            if (each.of(scene)) {
+                known.remove(each);
+                known.addFirst(each);
+                return each;
+            }
+        SightFacts facts =
+                known.stream()
+                        .map(KnownScene::facts)
+                        .filter(other -> other.of(scene))
+                        .findFirst()
+                        .orElseGet(() -> new SightFacts(scene));
+        var found = new KnownScene(scene, facts);
+        known.addFirst(found);
         if (known.size() > KEPT) known.removeLast();
-        return facts;
+        return found;
     }
 }

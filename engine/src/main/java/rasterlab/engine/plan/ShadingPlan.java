@@ -2,14 +2,12 @@ package rasterlab.engine.plan;
 
 import java.util.Arrays;
 import java.util.List;
-import rasterlab.engine.pipeline.RenderRequest;
+import java.util.Optional;
 import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
-import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.MixedLight;
 import rasterlab.engine.sight.LightWork;
 import rasterlab.engine.sight.Reason;
-import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.sight.SightChoice.Sight;
 import rasterlab.engine.sight.cost.PictureWork;
 
@@ -21,7 +19,7 @@ import rasterlab.engine.sight.cost.PictureWork;
  * @param painted by the methods that light all faces alike
  * @param levels by which light mixed from corners may differ where some faces have the formula at
  *     each pixel; 0 where all have, or none
- * @param fromHere whether that holds for this camera only
+ * @param around whether that holds from all around, not near the camera alone
  * @param directWork of the pipeline
  * @param paintedWork of the other methods
  */
@@ -29,7 +27,7 @@ record ShadingPlan(
         ShadingMethod direct,
         ShadingMethod painted,
         double levels,
-        boolean fromHere,
+        boolean around,
         LightWork directWork,
         LightWork paintedWork) {
     /** The least share that mixing must save. */
@@ -45,99 +43,104 @@ record ShadingPlan(
         double of(PictureWork work);
     }
 
-    /**
-     * The faces that are shaded.
-     *
-     * @param fronts whether backs are left out
-     * @param glass whether something is seen through faces, whose order needs one way of lighting
-     * @param reads texels read for a pixel
-     */
-    record Shown(
-            RenderRequest request,
-            RequestView seen,
-            ScreenAreas areas,
-            boolean fronts,
-            boolean glass,
-            int reads) {
-        boolean[] drawn() {
-            var drawn = new boolean[areas.faces()];
-            for (int f = 0; f < drawn.length; f++) drawn[f] = !fronts || !areas.back(f);
-            return drawn;
-        }
-
-        FaceLights lights() {
-            return new FaceLights(
-                    seen.scene(), seen.viewed(), request.look().terms(), request.look().sides());
-        }
-    }
-
     /** The shading of a plan whose faces are hidden by a method. */
     ShadingMethod planned(Sight sight) {
         return sight.method().equals("pipeline") ? direct : painted;
     }
 
     /**
+     * @param shown the faces, by a sample
+     * @param reads texels read for a pixel
      * @param left levels that may still be changed
      * @param decisions gets what was decided
      */
-    static ShadingPlan of(Shown shown, double left, Price price, List<PlanDecision> decisions) {
-        boolean[] drawn = shown.drawn();
-        boolean atEye = shown.seen.scene().light().atEye().isPresent();
-        var light = new MixedLight(shown.lights(), left, atEye ? 0 : EYE_TURN);
-        boolean[] exact = left > 0 ? light.atPixels(drawn) : drawn;
-        if (count(exact) == 0)
-            return facewise(shown, light.flatIsEnough(drawn), atEye, left, decisions);
-        var phong = new LightWork(false, filled(drawn.length), shown.reads, false);
-        if (left > 0 && !shown.glass) {
-            boolean[] now = new MixedLight(shown.lights(), left).atPixels(drawn);
-            var mixed = new LightWork(true, now, shown.reads, true);
-            double all = price.of(phong.estimate(shown.areas, shown.fronts, false, 0));
-            double some = price.of(mixed.estimate(shown.areas, shown.fronts, false, 0));
+    static ShadingPlan of(
+            ShownFaces shown, int reads, double left, Price price, List<PlanDecision> decisions) {
+        boolean[] drawn = shown.drawn(shown.seen());
+        boolean[] now = drawn;
+        if (left > 0) {
+            Sufficiency enough = Sufficiency.of(shown, drawn, left);
+            if (enough.smooth) return facewise(shown, reads, enough, left, decisions);
+            now = new MixedLight(shown.lights(shown.seen()), left).atPixels(drawn);
+        }
+        var phong = new LightWork(false, filled(drawn.length), reads, false);
+        if (left > 0 && !shown.facts().glass()) {
+            var mixed = new LightWork(true, now, reads, true);
+            double all = price.of(phong.estimate(shown.areas(), shown.fronts(), false, 0));
+            double some = price.of(mixed.estimate(shown.areas(), shown.fronts(), false, 0));
             if (some < WORTH * all) {
+                Reason reason =
+                        Reason.of(
+                                "mixed",
+                                "%d of %d faces that were looked at need the formula at each"
+                                        + " pixel; on the others light mixed from corners is within"
+                                        + " the bound",
+                                count(now),
+                                count(drawn));
                 decisions.add(
                         new PlanDecision(
-                                "shading",
-                                "phong where it counts",
-                                "phong",
-                                Reason.of(
-                                        "mixed",
-                                        "%d of %d faces need the formula at each pixel; on the"
-                                                + " others light mixed from corners is within the"
-                                                + " bound",
-                                        count(now),
-                                        count(drawn)),
-                                left,
-                                0));
+                                "shading", "phong where it counts", "phong", reason, left, 0));
                 return new ShadingPlan(
-                        ShadingMethod.PHONG, ShadingMethod.PHONG, left, false, mixed, phong);
+                        ShadingMethod.PHONG, ShadingMethod.PHONG, left, true, mixed, phong);
             }
         }
-        decisions.add(
-                PlanDecision.exact(
-                        "shading",
+        Reason reason =
+                Reason.of(
                         "phong",
-                        "phong",
-                        Reason.of(
-                                "phong",
-                                "%d of %d faces need the formula at each pixel",
-                                count(exact),
-                                count(drawn))));
-        return new ShadingPlan(ShadingMethod.PHONG, ShadingMethod.PHONG, 0, false, phong, phong);
+                        "%d of %d faces that were looked at need the formula at each pixel",
+                        count(now),
+                        count(drawn));
+        decisions.add(PlanDecision.exact("shading", "phong", "phong", reason));
+        return new ShadingPlan(ShadingMethod.PHONG, ShadingMethod.PHONG, 0, true, phong, phong);
+    }
+
+    /**
+     * Whether less than the formula at each pixel is enough on all faces.
+     *
+     * @param smooth whether light mixed from corners is
+     * @param flat whether one colour a face is
+     * @param everywhere whether that holds from all around
+     */
+    private record Sufficiency(boolean smooth, boolean flat, boolean everywhere) {
+        static final Sufficiency NEITHER = new Sufficiency(false, false, false);
+
+        /** The sample is asked first: one face of it that needs more decides. */
+        static Sufficiency of(ShownFaces shown, boolean[] sampled, double left) {
+            Optional<MixedLight.Apart> always =
+                    shown.known().apart(shown.request(), shown.fronts());
+            if (always.isPresent()) return of(always.get(), left, true);
+            // A lamp that goes with the eye would have to be proved again for each picture.
+            if (shown.request().scene().light().atEye().isPresent()) return NEITHER;
+            var few = new MixedLight(shown.lights(shown.seen()), left, EYE_TURN).apart(sampled);
+            if (few.mixed() > left || shown.areas().whole()) return of(few, left, false);
+            RequestView all = shown.all();
+            var light = new MixedLight(shown.lights(all), left, EYE_TURN);
+            return of(light.apart(shown.drawn(all)), left, false);
+        }
+
+        private static Sufficiency of(MixedLight.Apart apart, double left, boolean everywhere) {
+            if (apart.mixed() > left) return NEITHER;
+            return new Sufficiency(true, apart.flat() <= left, everywhere);
+        }
     }
 
     private static ShadingPlan facewise(
-            Shown shown, boolean flat, boolean atEye, double left, List<PlanDecision> decisions) {
-        ShadingMethod way = flat ? ShadingMethod.FLAT : ShadingMethod.GOURAUD;
+            ShownFaces shown,
+            int reads,
+            Sufficiency enough,
+            double left,
+            List<PlanDecision> decisions) {
+        ShadingMethod way = enough.flat ? ShadingMethod.FLAT : ShadingMethod.GOURAUD;
         Reason reason =
-                flat
+                enough.flat
                         ? Reason.of(
                                 "flat", "within each face light differs by less from its middle's")
                         : Reason.of(
                                 "corners",
                                 "light mixed from corners is within the bound on all faces");
         decisions.add(new PlanDecision("shading", way.code(), "phong", reason, left, 0));
-        var work = new LightWork(!flat, new boolean[shown.areas.faces()], shown.reads, false);
-        return new ShadingPlan(way, way, 0, atEye, work, work);
+        var work = new LightWork(!enough.flat, new boolean[shown.areas().faces()], reads, false);
+        return new ShadingPlan(way, way, 0, enough.everywhere, work, work);
     }
 
     private static boolean[] filled(int faces) {

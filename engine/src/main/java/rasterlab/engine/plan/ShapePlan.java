@@ -4,16 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import rasterlab.contract.Reflection;
-import rasterlab.contract.SurfaceMaterial;
-import rasterlab.engine.light.Light;
-import rasterlab.engine.scene.Appearance;
-import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.shape.SceneShape;
-import rasterlab.engine.scene.shape.ShapeSurfaces;
 import rasterlab.engine.sight.Reason;
-import rasterlab.engine.visibility.ViewedMesh;
+import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.transform.ViewTransform;
 
 /**
  * Fewer steps for the curved surfaces of a scene, and none for what is out of sight.
@@ -33,69 +27,93 @@ final class ShapePlan {
     /** Two outlines may move towards each other, and what is between them must not vanish. */
     private static final double OUTLINES = 2;
 
-    private final Scene scene;
-    private final ViewedMesh view;
+    private final KnownScene known;
+    private final ViewTransform transform;
+    private final PictureFit fit;
     private final double pixels;
     private final double levels;
 
-    /** The outcome for a scene. */
-    record Result(Scene scene, List<PlanDecision> decisions) {}
+    /**
+     * The outcome for a scene.
+     *
+     * @param narrow whether it holds near the camera only, since parts are out of sight
+     */
+    record Result(Scene scene, List<PlanDecision> decisions, boolean narrow) {}
 
-    ShapePlan(Scene scene, ViewedMesh view, Tolerance tolerance) {
-        this.scene = scene;
-        this.view = view;
+    ShapePlan(KnownScene known, ViewTransform transform, PictureFit fit, Tolerance tolerance) {
+        this.known = known;
+        this.transform = transform;
+        this.fit = fit;
         pixels = tolerance.pixels() / OUTLINES;
         levels = LEVELS * tolerance.levels();
     }
 
     /** Leaves out what it can; empty where that is nothing. */
     Optional<Result> plan() {
-        if (scene.surfaces().isEmpty()
-                || !(scene.surfaces().get() instanceof ShapeSurfaces made)
-                || scene.mesh().hasColors()
-                || made.shapes().size() != scene.finishes().size()) return Optional.empty();
         List<PlanDecision> decisions = new ArrayList<>();
-        var parts = new ShapeScene();
+        List<Integer> steps = new ArrayList<>();
         boolean changed = false;
         boolean any = false;
-        for (int i = 0; i < made.shapes().size(); i++) {
-            SceneShape shape = made.shapes().get(i);
-            Optional<ShapeSteps> full = ShapeSteps.found(scene, shape, i);
+        boolean narrow = false;
+        for (ShapePart part : known.parts()) {
+            Optional<ShapeSteps> full = part.full();
+            boolean gone = outOfSight(part);
             if (full.isEmpty()) {
-                if (outOfSight(i)) return Optional.empty();
-                any |= addAsItIs(parts, i);
-                continue;
+                if (gone) return Optional.empty();
+                any |= part.any();
+                steps.addAll(List.of(-1, -1));
+            } else if (gone) {
+                decisions.add(gone(part, full.get()));
+                steps.addAll(List.of(0, 0));
+                changed = narrow = true;
+            } else {
+                ShapeSteps least = full.get();
+                if (least.faces() >= FEW && apart(part)) least = fewest(part, least);
+                changed |= least.faces() < full.get().faces();
+                any = true;
+                steps.addAll(List.of(least.u(), least.v()));
+                decisions.add(told(part, least, full.get()));
             }
-            if (outOfSight(i)) {
-                decisions.add(
-                        PlanDecision.exact(
-                                "sight",
-                                "part %d: nothing".formatted(i + 1),
-                                "part %d: %d faces".formatted(i + 1, full.get().faces()),
-                                Reason.of(
-                                        "beyond", "all of it is beyond one side of the picture")));
-                changed = true;
-                continue;
-            }
-            ShapeSteps least = full.get().faces() < FEW ? full.get() : fewest(shape, full.get(), i);
-            changed |= least.faces() < full.get().faces();
-            any = true;
-            parts.add(shape.faces(least.u(), least.v()), i);
-            decisions.add(told(i, least, full.get()));
         }
-        return changed && any
-                ? Optional.of(new Result(parts.of(scene), decisions))
-                : Optional.empty();
+        if (!changed || !any) return Optional.empty();
+        Scene scene = known.coarser(steps, () -> made(steps));
+        return Optional.of(new Result(scene, decisions, narrow));
     }
 
-    private PlanDecision told(int part, ShapeSteps least, ShapeSteps full) {
+    /** Whether a part's box meets no other's: a line along which surfaces cross moves farther. */
+    private boolean apart(ShapePart part) {
+        for (ShapePart other : known.parts())
+            if (other != part && other.any() && !part.apart(other)) return false;
+        return true;
+    }
+
+    private Scene made(List<Integer> steps) {
+        var scene = new ShapeScene();
+        for (ShapePart part : known.parts()) {
+            int u = steps.get(2 * part.finish());
+            int v = steps.get(2 * part.finish() + 1);
+            if (u < 0) addAsItIs(scene, part.finish());
+            else if (u > 0) scene.add(part.shape().faces(u, v), part.finish());
+        }
+        return scene.of(known.scene());
+    }
+
+    private static PlanDecision gone(ShapePart part, ShapeSteps full) {
+        return PlanDecision.exact(
+                "sight",
+                "part %d: nothing".formatted(part.finish() + 1),
+                "part %d: %d faces".formatted(part.finish() + 1, full.faces()),
+                Reason.of("beyond", "all of it is beyond one side of the picture"));
+    }
+
+    private PlanDecision told(ShapePart part, ShapeSteps least, ShapeSteps full) {
         boolean same = least.faces() == full.faces();
         double moved = same ? 0 : (least.sag() + full.sag()) * pixelsPerUnit(part);
-        double lit = same ? 0 : perRadian(part) * (least.bend() + full.bend());
+        double lit = same ? 0 : part.levelsPerRadian() * (least.bend() + full.bend());
         return new PlanDecision(
                 "tessellation",
-                "part %d: %d×%d".formatted(part + 1, least.u(), least.v()),
-                "part %d: %d×%d".formatted(part + 1, full.u(), full.v()),
+                "part %d: %d×%d".formatted(part.finish() + 1, least.u(), least.v()),
+                "part %d: %d×%d".formatted(part.finish() + 1, full.u(), full.v()),
                 same
                         ? Reason.of("needed", "fewer faces would leave the tolerance")
                         : Reason.of(
@@ -110,135 +128,98 @@ final class ShapePlan {
     }
 
     /** A part that was not made in steps that are known keeps its faces. */
-    private boolean addAsItIs(ShapeScene parts, int finish) {
+    private void addAsItIs(ShapeScene made, int finish) {
+        Scene scene = known.scene();
         int[] faces =
                 IntStream.range(0, scene.mesh().faceCount())
                         .filter(f -> scene.finishNumber(f) == finish)
                         .toArray();
-        if (faces.length == 0) return false;
-        parts.add(scene.only(faces).mesh(), finish);
-        return true;
+        if (faces.length > 0) made.add(scene.only(faces).mesh(), finish);
     }
 
     /** The fewest faces within the tolerance: along the diagonal first, then one step alone. */
-    private ShapeSteps fewest(SceneShape shape, ShapeSteps full, int part) {
+    private ShapeSteps fewest(ShapePart part, ShapeSteps full) {
         double perUnit = pixelsPerUnit(part);
-        double perRadian = perRadian(part);
         int low = 1;
         int high = 64;
         while (low < high) {
             int middle = (low + high) / 2;
-            if (enough(scaled(shape, full, middle), full, perUnit, perRadian)) high = middle;
+            if (enough(scaled(part, full, middle), part, full, perUnit)) high = middle;
             else low = middle + 1;
         }
-        ShapeSteps best = high == 64 ? full : scaled(shape, full, high);
+        ShapeSteps best = high == 64 ? full : scaled(part, full, high);
         for (int axis = 0; axis < 2; axis++)
             while (true) {
                 int u = axis == 0 ? best.u() - Math.max(1, best.u() / 12) : best.u();
                 int v = axis == 1 ? best.v() - Math.max(1, best.v() / 12) : best.v();
                 if (u < 4 || v < 3 || v > full.v()) break;
-                ShapeSteps next = ShapeSteps.of(shape, u, v);
-                if (!enough(next, full, perUnit, perRadian)) break;
+                ShapeSteps next = part.steps(u, v);
+                if (!enough(next, part, full, perUnit)) break;
                 best = next;
             }
         return best;
     }
 
-    private static ShapeSteps scaled(SceneShape shape, ShapeSteps full, int of64) {
+    private static ShapeSteps scaled(ShapePart part, ShapeSteps full, int of64) {
         int u = Math.max(Math.min(4, full.u()), (full.u() * of64 + 63) / 64);
         int v = Math.max(Math.min(3, full.v()), (full.v() * of64 + 63) / 64);
-        return ShapeSteps.of(shape, u, v);
+        return part.steps(u, v);
     }
 
-    private boolean enough(ShapeSteps steps, ShapeSteps full, double perUnit, double perRadian) {
+    private boolean enough(ShapeSteps steps, ShapePart part, ShapeSteps full, double perUnit) {
         return (steps.sag() + full.sag()) * perUnit <= pixels
-                && (steps.bend() + full.bend()) * perRadian <= levels;
-    }
-
-    /** Levels for each radian that a normal turns. */
-    private double perRadian(int finish) {
-        Appearance look = scene.finishes().get(finish);
-        return Math.max(perRadian(look.front().surface()), perRadian(look.back().surface()));
-    }
-
-    private double perRadian(SurfaceMaterial surface) {
-        double sum = 0;
-        List<Light> lights = new ArrayList<>(scene.light().model().lights());
-        scene.light().atEye().ifPresent(eye -> lights.add(Light.from(eye, 0, 0, 1)));
-        boolean half = scene.light().model().reflection() == Reflection.BLINN_PHONG;
-        double slope = (half ? 1 : 2) * steepest(surface.shininess());
-        for (Light light : lights)
-            sum +=
-                    most(surface.diffuse(), light.source().diffuse())
-                            + slope * most(surface.specular(), light.source().specular());
-        return 255 * sum;
-    }
-
-    /** The most of |d cosˢ φ/dφ|: √s·((s − 1)/s)^((s − 1)/2). */
-    static double steepest(double s) {
-        if (s <= 1) return 1;
-        return Math.sqrt(s) * Math.pow((s - 1) / s, (s - 1) / 2);
-    }
-
-    private static double most(double[] surface, double[] light) {
-        double most = 0;
-        for (int c = 0; c < 3; c++) most = Math.max(most, surface[c] * light[c]);
-        return most;
+                && (steps.bend() + full.bend()) * part.levelsPerRadian() <= levels;
     }
 
     /**
      * Pixels on the picture for a world unit at the nearest place of a part, whichever way it goes:
      * f/z times the secant of the angle from the middle, with the room that the camera has.
+     *
+     * <p>Two balls hold the part. The one about the origin, of radius M, is nearest on the middle
+     * line of sight, where f/z is largest while ρ ≥ 2M. The part's own, of radius r about c, α off
+     * the direction to the eye, comes as near as {@code ρ − |c|·cos(max(0, α − WIDE)) − r}, and is
+     * no farther aside than M.
      */
-    private double pixelsPerUnit(int finish) {
-        if (!view.transform().central()) return view.fit().pixelsPerUnit();
-        Mesh mesh = view.mesh();
-        double most = 0;
-        for (int f = 0; f < mesh.faceCount(); f++) {
-            if (scene.finishNumber(f) != finish) continue;
-            for (int k = 0; k < mesh.cornerCount(f); k++) {
-                int v = mesh.corner(f, k);
-                double z = view.eyeZ(v);
-                if (!(z > view.near())) return Double.POSITIVE_INFINITY;
-                double secant = Math.hypot(1, Math.hypot(view.eyeX(v), view.eyeY(v)) / z);
-                most = Math.max(most, secant / z);
-            }
-        }
-        return CameraRange.ZOOM * most * view.transform().distance() * view.fit().pixelsPerUnit();
+    private double pixelsPerUnit(ShapePart part) {
+        if (!transform.central()) return fit.pixelsPerUnit();
+        double rho = transform.distance() / CameraRange.ZOOM;
+        double reach = part.reach();
+        double aside = Math.hypot(Math.hypot(part.middle(0), part.middle(1)), part.middle(2));
+        double towards = 0;
+        for (int axis = 0; axis < 3; axis++) towards -= transform.sight(axis) * part.middle(axis);
+        double angle = aside > 0 ? Math.acos(Math.max(-1, Math.min(1, towards / aside))) : 0;
+        double nearer = aside * Math.cos(Math.max(0, angle - CameraRange.WIDE)) + part.radius();
+        double z = rho - Math.min(reach, nearer);
+        if (!(z > 0)) return Double.POSITIVE_INFINITY;
+        double most = Math.hypot(1, reach / z) / z;
+        if (rho >= 2 * reach) most = Math.min(most, 1 / (rho - reach));
+        return most * transform.distance() * fit.pixelsPerUnit();
     }
 
-    /** Whether all corners of a part are beyond one side of the picture, with the camera's room. */
-    private boolean outOfSight(int finish) {
-        double distance = view.transform().central() ? view.transform().distance() : 0;
-        if (distance == 0) return false;
-        var fit = view.fit();
+    /** Whether all of a part's box is beyond one side of the picture, with the camera's room. */
+    private boolean outOfSight(ShapePart part) {
+        double distance = transform.central() ? transform.distance() : 0;
+        if (distance == 0 || !part.any()) return false;
         double[][] sides = {
             {distance, 0, -fit.toPlaneX(-1)}, {-distance, 0, fit.toPlaneX(fit.width())},
             {0, -distance, fit.toPlaneY(-1)}, {0, distance, -fit.toPlaneY(fit.height())}
         };
-        for (double[] side : sides) if (beyond(side, finish, distance)) return true;
+        for (double[] side : sides) if (beyond(side, part, distance)) return true;
         return false;
     }
 
     /** The eye turns about the origin, at that distance, and comes nearer along z. */
-    private boolean beyond(double[] side, int finish, double distance) {
-        Mesh mesh = view.mesh();
+    private boolean beyond(double[] side, ShapePart part, double distance) {
         double length = Math.hypot(Math.hypot(side[0], side[1]), side[2]);
-        boolean any = false;
-        for (int f = 0; f < mesh.faceCount(); f++) {
-            if (scene.finishNumber(f) != finish) continue;
-            any = true;
-            for (int k = 0; k < mesh.cornerCount(f); k++) {
-                int v = mesh.corner(f, k);
-                double x = view.eyeX(v);
-                double y = view.eyeY(v);
-                double z = view.eyeZ(v);
-                double fromMiddle = Math.sqrt(x * x + y * y + (z - distance) * (z - distance));
-                double nearer = (CameraRange.ZOOM - 1) * distance * Math.abs(side[2]) / length;
-                double room = 2 * CameraRange.TURN * fromMiddle + nearer;
-                if (!((side[0] * x + side[1] * y + side[2] * z) / length < -room)) return false;
-            }
+        double nearer = (CameraRange.ZOOM - 1) * distance * Math.abs(side[2]) / length;
+        for (double[] at : part.corners()) {
+            double x = transform.toEye(0, at[0], at[1], at[2]);
+            double y = transform.toEye(1, at[0], at[1], at[2]);
+            double z = transform.toEye(2, at[0], at[1], at[2]);
+            double fromMiddle = Math.sqrt(x * x + y * y + (z - distance) * (z - distance));
+            double room = 2 * CameraRange.TURN * fromMiddle + nearer;
+            if (!((side[0] * x + side[1] * y + side[2] * z) / length < -room)) return false;
         }
-        return any;
+        return true;
     }
 }

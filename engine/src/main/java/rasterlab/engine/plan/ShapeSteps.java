@@ -15,6 +15,10 @@ import rasterlab.engine.scene.shape.SurfacePoint;
  * along which a quadrilateral is cut. The diagonal's also holds the part s·s′·|P_uv|/4 by which the
  * places of a texture are drawn aside. Normals are compared in the same places.
  *
+ * <p>On the outline a place may be seen with the normal of any place of its step, since a rise
+ * κs²/8 hides or shows as much: there the normal is off by up to half of what it turns over the
+ * step.
+ *
  * <p>Source: D. Filip, R. Magedson, R. Markot, Surface algorithms using bounds on derivatives,
  * Computer Aided Geometric Design 3(4), 1986, pp. 295–311.
  *
@@ -22,7 +26,7 @@ import rasterlab.engine.scene.shape.SurfacePoint;
  * @param v steps across
  * @param faces that they make
  * @param sag the largest distance of a face from the surface, world units
- * @param bend the largest angle between a mixed normal and the surface's, radians
+ * @param bend the largest angle by which a normal that is seen is off, radians
  */
 record ShapeSteps(int u, int v, int faces, double sag, double bend) {
     /** The part of the largest rise that the middles may miss. */
@@ -147,6 +151,8 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
             sag = Math.max(sag, drawnAside(p, q, there));
             double cosine = length > 0 ? dot / Math.sqrt(length) : -1;
             bend = Math.max(bend, Math.acos(Math.max(-1, Math.min(1, cosine))));
+            double turned = p[3] * q[3] + p[4] * q[4] + p[5] * q[5];
+            bend = Math.max(bend, Math.acos(Math.max(-1, Math.min(1, turned))) / 2);
         }
 
         /** How far a texture is drawn aside, in the share of the way that its coordinates are. */

@@ -5,7 +5,6 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.paint.Minification;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.sight.Reason;
 
 /**
@@ -20,24 +19,27 @@ import rasterlab.engine.sight.Reason;
 record TexturePlan(TextureMode mode, int reads, double levels, boolean fromHere) {
 
     /**
+     * @param shown the faces, by a sample
      * @param left levels that may still be changed
      * @param decisions gets what was decided
      */
     static TexturePlan of(
-            RenderRequest full, RequestView seen, double left, List<PlanDecision> decisions) {
+            RenderRequest full, ShownFaces shown, double left, List<PlanDecision> decisions) {
         if (full.look().texture() == TextureMode.NONE)
             return new TexturePlan(TextureMode.NONE, 0, 0, false);
-        int contrast = 0;
-        for (var finish : seen.scene().finishes())
-            for (LaidTexture laid : finish.texture().stream().toList())
-                contrast = Math.max(contrast, TextureContrast.of(laid.texture(), left));
+        int contrast = shown.known().contrast(left);
         if (contrast <= left) {
             Reason reason =
                     Reason.of("contrast", "no two texels differ by more than %d levels", contrast);
             decisions.add(new PlanDecision("texture", "nearest", "mipmap", reason, contrast, 0));
             return new TexturePlan(TextureMode.NEAREST, 1, contrast, false);
         }
-        var faces = Minification.of(seen.scene(), seen.viewed());
+        RequestView sampled = shown.seen();
+        var faces = Minification.of(sampled.scene(), sampled.viewed());
+        if (faces.minified() == 0 && !shown.areas().whole()) {
+            RequestView all = shown.all();
+            faces = Minification.of(all.scene(), all.viewed());
+        }
         if (faces.minified() == 0) {
             decisions.add(
                     PlanDecision.exact(
@@ -56,8 +58,8 @@ record TexturePlan(TextureMode mode, int reads, double levels, boolean fromHere)
                         "mipmap",
                         Reason.of(
                                 "minified",
-                                "pixels may step over texels on %d of %d faces; texels differ by %d"
-                                        + " levels or more",
+                                "pixels may step over texels on %d of %d faces that were looked"
+                                        + " at; texels differ by %d levels or more",
                                 faces.minified(),
                                 faces.textured(),
                                 contrast)));

@@ -32,15 +32,17 @@ public record LightWork(boolean perCorner, boolean[] atPixels, int texelReads, b
             if (!atPixels[f]) lights += perCorner ? 4 : 1;
             else if (painted) atEachPixel += areas.area(f);
         }
+        double weight = areas.weight();
+        fragments *= weight;
         double most = paintsAll ? fragments : Math.min(fragments, areas.pixels());
         return new PictureWork(
                 areas.vertices(),
                 areas.clipped(),
-                faces,
-                lights,
+                Math.round(weight * faces),
+                Math.round(weight * lights),
                 Math.round(fragments),
-                Math.round(Math.min(atEachPixel, most)),
-                Math.round(Math.min(textured, most) * texelReads),
+                Math.round(Math.min(weight * atEachPixel, most)),
+                Math.round(Math.min(weight * textured, most) * texelReads),
                 areas.pixels(),
                 pairs);
     }

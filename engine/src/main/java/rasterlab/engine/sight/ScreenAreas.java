@@ -6,20 +6,33 @@ import rasterlab.engine.visibility.ViewedMesh;
 
 /**
  * How many pixels each face of a view covers, estimated from its corners: the area of its outline
- * (the shoelace formula), at most that of its box within the picture.
+ * (the shoelace formula), at most that of its box within the picture. The faces may be a sample
+ * that stands for more.
  */
 public final class ScreenAreas {
     private final double[] area;
     private final boolean[] back;
     private final long pixels;
-    private final int vertices;
+    private final double weight;
+    private final int allVertices;
     private int clipped;
 
     public ScreenAreas(ViewedMesh view) {
+        this(view, 1, view.mesh().vertexCount());
+    }
+
+    /**
+     * @param view of a sample of faces
+     * @param weight how many faces each of them stands for, at least 1
+     * @param allVertices of the mesh that the sample is taken from
+     */
+    public ScreenAreas(ViewedMesh view, double weight, int allVertices) {
         Mesh mesh = view.mesh();
         PictureFit fit = view.fit();
+        this.weight = weight;
+        this.allVertices = allVertices;
         pixels = (long) fit.width() * fit.height();
-        vertices = mesh.vertexCount();
+        int vertices = mesh.vertexCount();
         double[] x = new double[vertices];
         double[] y = new double[vertices];
         for (int v = 0; v < vertices; v++) {
@@ -67,13 +80,28 @@ public final class ScreenAreas {
         return area.length;
     }
 
-    public int vertices() {
-        return vertices;
+    /** How many faces each of these stands for. */
+    public double weight() {
+        return weight;
     }
 
-    /** Faces that the near or the far plane may cut. */
-    public int clipped() {
-        return clipped;
+    /** Whether these are all faces. */
+    public boolean whole() {
+        return weight == 1;
+    }
+
+    /** Faces of the whole mesh. */
+    public long allFaces() {
+        return Math.round(weight * area.length);
+    }
+
+    public int vertices() {
+        return allVertices;
+    }
+
+    /** Faces of the whole mesh that the near or the far plane may cut. */
+    public long clipped() {
+        return Math.round(weight * clipped);
     }
 
     /** Pixels of the picture. */

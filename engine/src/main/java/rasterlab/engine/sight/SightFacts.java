@@ -1,6 +1,7 @@
 package rasterlab.engine.sight;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -23,6 +24,8 @@ public final class SightFacts {
     private Optional<Boolean> closed = Optional.empty();
     private Optional<Boolean> overlap = Optional.empty();
     private Optional<Boolean> crossing = Optional.empty();
+    private Optional<Double> separation = Optional.empty();
+    private Optional<Double> radius = Optional.empty();
     private final boolean glass;
 
     public SightFacts(Scene scene) {
@@ -75,17 +78,41 @@ public final class SightFacts {
     /**
      * Whether faces lie over each other in one plane; false where there are too many to know.
      *
-     * @param view any view of the mesh
+     * @param view any view of the mesh, asked for once at most
      */
-    public synchronized boolean overlap(ViewedMesh view) {
-        if (overlap.isEmpty()) overlap = Optional.of(few() && SharedPlanes.anyOverlap(view));
+    public synchronized boolean overlap(Supplier<ViewedMesh> view) {
+        if (overlap.isEmpty()) overlap = Optional.of(few() && SharedPlanes.anyOverlap(view.get()));
         return overlap.get();
     }
 
-    /** Whether faces pass through each other; false where there are too many to know. */
-    public synchronized boolean crossing(ViewedMesh view) {
+    /**
+     * Whether faces pass through each other; false where there are too many to know.
+     *
+     * @param view any view of the mesh, asked for once at most
+     */
+    public synchronized boolean crossing(Supplier<ViewedMesh> view) {
         if (crossing.isEmpty())
-            crossing = Optional.of(few() && !FaceCrossings.of(view, () -> false).isEmpty());
+            crossing = Optional.of(few() && !FaceCrossings.of(view.get(), () -> false).isEmpty());
         return crossing.get();
+    }
+
+    /**
+     * The smallest distance in space between two faces, in world units; 0 where some touch, or
+     * where there are too many to know. Along every line of sight they are at least as far apart.
+     */
+    public synchronized double separation() {
+        if (separation.isEmpty()) separation = Optional.of(few() ? FaceGaps.least(mesh) : 0);
+        return separation.get();
+    }
+
+    /** The distance of the mesh's farthest corner from the origin, which cameras turn about. */
+    public synchronized double radius() {
+        if (radius.isEmpty()) {
+            double most = 0;
+            for (int v = 0; v < mesh.vertexCount(); v++)
+                most = Math.max(most, Math.hypot(Math.hypot(mesh.x(v), mesh.y(v)), mesh.z(v)));
+            radius = Optional.of(most);
+        }
+        return radius.get();
     }
 }

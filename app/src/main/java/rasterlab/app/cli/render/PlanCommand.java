@@ -22,6 +22,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.plan.BruteForce;
 import rasterlab.engine.plan.Combination;
 import rasterlab.engine.plan.CostStudy;
+import rasterlab.engine.plan.PlanPath;
 import rasterlab.engine.plan.PlanTrial;
 import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.Tolerance;
@@ -48,6 +49,9 @@ import rasterlab.exercises.scene.SceneSetting;
 public final class PlanCommand implements Callable<Integer> {
     /** Rounds of drawing the full picture and the least one in turns. */
     private static final int ROUNDS = 15;
+
+    /** Pictures of the camera's path along which deciding is measured. */
+    private static final int PICTURES = 100;
 
     private final Console console;
 
@@ -133,7 +137,8 @@ public final class PlanCommand implements Callable<Integer> {
                         ? BruteForce.within(trial.plan(), trial.full(), tolerance, ROUNDS, progress)
                         : List.of();
         if (out != null) WholeFile.write(out, PngFile.bytes(trial.least().image()));
-        var report = new PlanReport(trial, planner.costOrigin(), proof);
+        var path = PlanPath.of(planner.fresh(), request, tolerance, PICTURES);
+        var report = new PlanReport(trial, path, planner.costOrigin(), proof);
         if (!json) report.print(console.out(), console.language().inWindow());
         else
             try (JsonGenerator generator = PrettyJson.to(console.out())) {

@@ -35,6 +35,11 @@ class PlanCommandTest {
         assertTrue(bill.path("predicted").path("fullMilliseconds").asDouble() > 0, ran.out());
         assertTrue(bill.path("measured").path("fullProcessorMilliseconds").asDouble() > 0);
         assertTrue(bill.path("combinations").size() > 0, ran.out());
+        JsonNode path = bill.path("path");
+        assertEquals(100, path.path("pictures").asInt(), ran.out());
+        assertTrue(path.path("plans").asInt() < 100, ran.out());
+        assertTrue(path.path("firstMilliseconds").asDouble() > 0, ran.out());
+        assertTrue(path.path("perPictureMilliseconds").asDouble() > 0, ran.out());
         assertTrue(Files.size(out) > 0);
     }
 

@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.paint;
 
+import java.util.Arrays;
 import rasterlab.engine.scene.Mesh;
 
 /**
@@ -45,16 +46,43 @@ public final class MixedLight {
         return exact;
     }
 
-    /** Whether one colour a face, that of its middle, is near enough on all drawn faces. */
-    public boolean flatIsEnough(boolean[] drawn) {
-        boolean[] exact = atPixels(drawn);
-        for (int f = 0; f < exact.length; f++) if (exact[f]) return false;
+    /**
+     * How far from the formula at each pixel less is, in levels, rounding included.
+     *
+     * @param mixed what light mixed from corners is off at most; infinite where that is not known,
+     *     or above the levels allowed
+     * @param flat what one colour a face, that of its middle, is off at most
+     */
+    public record Apart(double mixed, double flat) {
+        private static final Apart FAR =
+                new Apart(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+    }
+
+    /** The most that all faces are off. */
+    public Apart apart() {
+        var all = new boolean[lights.mesh().faceCount()];
+        Arrays.fill(all, true);
+        return apart(all);
+    }
+
+    /** The most that the drawn faces are off; the first that is off by too much ends the search. */
+    public Apart apart(boolean[] drawn) {
+        double mixed = ROOM;
+        double flat = ROOM;
+        var levels = new double[drawn.length];
+        for (int f = 0; f < drawn.length; f++) {
+            if (!drawn[f]) continue;
+            levels[f] = bound.levels(f) + ROOM;
+            if (levels[f] > this.levels) return Apart.FAR;
+            mixed = Math.max(mixed, levels[f]);
+        }
         float[] corners = lights.atCorners(drawn);
+        for (int f = 0; f < drawn.length; f++)
+            if (drawn[f] && cutBetween(corners, f)) return Apart.FAR;
         int[] middles = lights.atMiddles(drawn);
-        for (int f = 0; f < exact.length; f++)
-            if (drawn[f] && bound.levels(f) + ROOM + apart(corners, f, middles[f]) > levels)
-                return false;
-        return true;
+        for (int f = 0; f < drawn.length; f++)
+            if (drawn[f]) flat = Math.max(flat, levels[f] + apart(corners, f, middles[f]));
+        return new Apart(mixed, flat);
     }
 
     private static boolean[] mixed(boolean[] drawn, boolean[] exact) {

@@ -9,6 +9,7 @@ import java.util.Random;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.plan.BruteForce;
 import rasterlab.engine.plan.Combination;
+import rasterlab.engine.plan.PlanPath;
 import rasterlab.engine.plan.PlanTrial;
 import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.Tolerance;
@@ -31,6 +32,9 @@ public final class PlanBench {
     private static final int FEW = 40;
     private static final long SEED = 32;
 
+    /** Pictures of a camera's path, along which plans are kept. */
+    private static final int PICTURES = 100;
+
     /** Each so many combinations all ways are tried too. */
     private static final int PROVED = 5;
 
@@ -39,6 +43,7 @@ public final class PlanBench {
     private final PrintStream out;
     private final List<Double> costs = new ArrayList<>();
     private final List<Double> againstCheapest = new ArrayList<>();
+    private final List<Double> first = new ArrayList<>();
     private final List<Double> deciding = new ArrayList<>();
     private int outside;
     private int steppedBack;
@@ -59,7 +64,9 @@ public final class PlanBench {
         spread("plan.costs", costs);
         print("plan.dearer", costs.stream().filter(c -> c > 1.03).count(), costs.size());
         spread("plan.cheapest", againstCheapest);
+        spread("plan.first", first);
         spread("plan.deciding", deciding);
+        print("plan.slow", deciding.stream().filter(d -> d > 0.03).count(), deciding.size());
     }
 
     private void tryOne(Planner planner, Random random, int k) {
@@ -81,8 +88,7 @@ public final class PlanBench {
         if (trial.steppedBack() > 0) steppedBack++;
         double cost = trial.processor() / trial.fullProcessor();
         costs.add(cost);
-        planner.plan(asked, tolerance);
-        deciding.add(planner.plan(asked, tolerance).decidingMilliseconds() / trial.fullProcessor());
+        decide(asked, tolerance, trial.fullProcessor());
         String cheapest = "";
         if (k % PROVED == 0 && scene.mesh().faceCount() < 4000) {
             List<Combination> ways =
@@ -105,6 +111,13 @@ public final class PlanBench {
                 trial.error().wrong(),
                 cost,
                 cheapest);
+    }
+
+    /** Deciding against a full picture: the first time, and for each picture of a path. */
+    private void decide(RenderRequest asked, Tolerance tolerance, double full) {
+        var path = PlanPath.of(new Planner(1, Costs.measured()), asked, tolerance, PICTURES);
+        first.add(path.firstMilliseconds() / full);
+        deciding.add(path.perPicture() / full);
     }
 
     /** Any scene, those made in steps with 10² to 10⁵ faces. */
