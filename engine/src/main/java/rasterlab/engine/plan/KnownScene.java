@@ -19,8 +19,8 @@ import rasterlab.engine.scene.shape.ShapeSurfaces;
 import rasterlab.engine.sight.SightFacts;
 
 /**
- * What plans have found out about a scene and do not ask again, whatever the camera: found when it
- * is first needed, kept with the scene.
+ * A scene and all that plans have found out about it whatever the camera: found when it is first
+ * needed, kept with the scene.
  *
  * <p>One thread at a time.
  */

@@ -47,11 +47,6 @@ record SceneSample(Scene scene, double weight, int vertices) {
         return new SceneSample(compact, (double) all / FACES, mesh.vertexCount());
     }
 
-    /** Whether it is the whole scene. */
-    boolean whole() {
-        return weight == 1;
-    }
-
     RequestView seen(RenderRequest request) {
         return RequestView.of(request.with(scene), request.width());
     }

@@ -14,8 +14,8 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.shape.SceneShape;
 
 /**
- * What is known of a part of a scene that was made from one shape: where it is, its steps, and how
- * much light changes with its normals.
+ * A part of a scene that was made from one shape: where it is, its steps, and how much light changes
+ * with its normals.
  */
 final class ShapePart {
     private final SceneShape shape;
@@ -130,7 +130,7 @@ final class ShapePart {
         return levelsPerRadian;
     }
 
-    /** Its shape made in steps, measured once for the same. */
+    /** Measures the shape made in steps, once for the same ones. */
     ShapeSteps steps(int u, int v) {
         return tried.computeIfAbsent(u << 16 | v, key -> ShapeSteps.of(shape, u, v));
     }

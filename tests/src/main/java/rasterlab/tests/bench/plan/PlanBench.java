@@ -35,6 +35,9 @@ public final class PlanBench {
     /** Pictures of a camera's path, along which plans are kept. */
     private static final int PICTURES = 100;
 
+    /** Bytes of heap in which 10⁶ faces and two pictures' working memory have room. */
+    private static final long ROOM = 3L << 30;
+
     /** Each so many combinations all ways are tried too. */
     private static final int PROVED = 5;
 
@@ -120,13 +123,14 @@ public final class PlanBench {
         deciding.add(path.perPicture() / full);
     }
 
-    /** Any scene, those made in steps with 10² to 10⁵ faces. */
-    private static Scene scene(Random random) {
+    /** Any scene; those made in steps have 10² to 10⁶ faces, or to 10⁵ where memory is little. */
+    private Scene scene(Random random) {
         List<String> names = Scenes.names();
         String name = names.get(random.nextInt(names.size()));
         if (!Scenes.namesWithDetail().contains(name) || random.nextInt(3) == 0)
             return Scenes.named(name);
-        return Scenes.named(name, (int) Math.round(8 * Math.pow(2, 5 * random.nextDouble())));
+        int doubled = quick || Runtime.getRuntime().maxMemory() < ROOM ? 5 : 7;
+        return Scenes.named(name, (int) Math.round(8 * Math.pow(2, doubled * random.nextDouble())));
     }
 
     private void print(String key, long count, int of) {
