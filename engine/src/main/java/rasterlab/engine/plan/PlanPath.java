@@ -4,8 +4,8 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * The time that deciding takes while a camera goes round a scene: by half a degree a picture, nearer
- * and farther by a tenth meanwhile.
+ * The time that deciding takes while a camera goes round a scene: by half a degree a picture,
+ * nearer and farther by a tenth meanwhile.
  *
  * @param pictures along the path
  * @param plans that were made for them

@@ -14,8 +14,8 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.shape.SceneShape;
 
 /**
- * A part of a scene that was made from one shape: where it is, its steps, and how much light changes
- * with its normals.
+ * A part of a scene that was made from one shape: where it is, its steps, and how much light
+ * changes with its normals.
  */
 final class ShapePart {
     private final SceneShape shape;
