@@ -2,6 +2,7 @@ package rasterlab.app.spline;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.spline.curve.CurvePlanning;
 import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.Curve;
 import rasterlab.engine.spline.curve.CurvePlace;
@@ -14,6 +15,7 @@ import rasterlab.engine.spline.exact.CurveTask;
  * @param joining what stays at the joints of pieces
  * @param method name of the method that draws
  * @param comparison name of a second method, "" for none
+ * @param planning whether the plan chooses the method, and for how many drawings
  */
 public record CurveChoice(
         CurveForm form,
@@ -22,7 +24,8 @@ public record CurveChoice(
         Sampling sampling,
         String method,
         String comparison,
-        CurveOverlays overlays) {
+        CurveOverlays overlays,
+        CurvePlanning planning) {
     private static final int SAMPLES = 48;
 
     public CurveChoice {
@@ -51,13 +54,15 @@ public record CurveChoice(
     }
 
     CurveChoice withPoints(List<Place> others) {
-        return new CurveChoice(form, others, joining, sampling, method, comparison, overlays);
+        return new CurveChoice(
+                form, others, joining, sampling, method, comparison, overlays, planning);
     }
 
     CurveChoice withForm(CurveForm other) {
         List<Place> next = CurveForm.converted(form, points, other);
         if (other == CurveForm.PIECES) next = joining.everywhere(next);
-        return new CurveChoice(other, next, joining, sampling, method, comparison, overlays);
+        return new CurveChoice(
+                other, next, joining, sampling, method, comparison, overlays, planning);
     }
 
     CurveChoice withTask(CurveTask task) {
@@ -72,28 +77,43 @@ public record CurveChoice(
                 Sampling.of(task),
                 method,
                 comparison,
-                overlays);
+                overlays,
+                planning);
     }
 
     CurveChoice withJoining(CurveJoining other) {
         List<Place> joined = form == CurveForm.PIECES ? other.everywhere(points) : points;
-        return new CurveChoice(form, joined, other, sampling, method, comparison, overlays);
+        return new CurveChoice(
+                form, joined, other, sampling, method, comparison, overlays, planning);
     }
 
     CurveChoice withSampling(Sampling other) {
-        return new CurveChoice(form, points, joining, other, method, comparison, overlays);
+        return new CurveChoice(
+                form, points, joining, other, method, comparison, overlays, planning);
     }
 
     CurveChoice withMethod(String other) {
-        return new CurveChoice(form, points, joining, sampling, other, comparison, overlays);
+        return new CurveChoice(
+                form, points, joining, sampling, other, comparison, overlays, planning);
     }
 
     CurveChoice withComparison(String other) {
-        return new CurveChoice(form, points, joining, sampling, method, other, overlays);
+        return new CurveChoice(form, points, joining, sampling, method, other, overlays, planning);
+    }
+
+    /** A method that the user chooses is drawn, whatever a plan says. */
+    CurveChoice byHand(String other) {
+        return withMethod(other).withPlanning(planning.with(false));
+    }
+
+    CurveChoice withPlanning(CurvePlanning other) {
+        return new CurveChoice(
+                form, points, joining, sampling, method, comparison, overlays, other);
     }
 
     CurveChoice withOverlays(CurveOverlays others) {
-        return new CurveChoice(form, points, joining, sampling, method, comparison, others);
+        return new CurveChoice(
+                form, points, joining, sampling, method, comparison, others, planning);
     }
 
     CurveChoice moved(int index, Place to) {

@@ -12,6 +12,9 @@ import rasterlab.contract.Curve;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.exact.CurveTask;
 import rasterlab.engine.spline.exact.Polyline;
+import rasterlab.engine.spline.plan.CurvePlan;
+import rasterlab.engine.spline.plan.CurvePrices;
+import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Topic;
 
 /**
@@ -19,6 +22,7 @@ import rasterlab.engine.study.Topic;
  *
  * @param exact each curve as the topic's reference draws it, fine enough for a picture
  * @param other by the second method, if one is compared
+ * @param plan the ways within the flatness; empty for given t, and where no method can do it
  * @param joints of all spans, in order; none where there are too many to be shown
  */
 public record CurveDrawings(
@@ -26,6 +30,7 @@ public record CurveDrawings(
         List<Polyline> exact,
         CurveDrawing drawing,
         Optional<CurveDrawing> other,
+        Optional<CurvePlan> plan,
         List<Joint> joints,
         CurvatureComb comb) {
     /** A picture's flatness as a share of the points' extent. */
@@ -47,8 +52,12 @@ public record CurveDrawings(
             wanted.add(topic.exact(choice.sampling().task(curve), CurveDrawing.LIMIT));
         }
         requireUse(cancelled);
-        CurveDrawing drawing =
-                CurveDrawing.of(topic, choice.method(), curves, choice.sampling(), wanted);
+        Optional<CurvePlan> plan = plan(choice, curves, wanted, cancelled);
+        String method =
+                plan.filter(found -> choice.planning().on())
+                        .map(found -> found.chosen().method())
+                        .orElse(choice.method());
+        CurveDrawing drawing = CurveDrawing.of(topic, method, curves, choice.sampling(), wanted);
         requireUse(cancelled);
         Optional<CurveDrawing> other =
                 Optional.of(choice.comparison())
@@ -62,8 +71,29 @@ public record CurveDrawings(
                 List.copyOf(shown),
                 drawing,
                 other,
+                plan,
                 Joint.all(curves),
                 CurvatureComb.of(curves, extent.diagonal()));
+    }
+
+    private static Optional<CurvePlan> plan(
+            CurveChoice choice,
+            List<Curve> curves,
+            List<Polyline> exact,
+            BooleanSupplier cancelled) {
+        if (!choice.sampling().isFlat()) return Optional.empty();
+        try {
+            return Optional.of(
+                    CurvePlan.of(
+                            curves.stream().map(choice.sampling()::task).toList(),
+                            exact,
+                            choice.planning().times(),
+                            CurveDrawing.LIMIT,
+                            CurvePrices.measured(),
+                            cancelled));
+        } catch (IllegalArgumentException | LimitReached none) {
+            return Optional.empty(); // The drawing says why.
+        }
     }
 
     private static void requireUse(BooleanSupplier cancelled) {

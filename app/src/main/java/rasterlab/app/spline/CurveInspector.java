@@ -19,6 +19,7 @@ import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.app.spline.curve.BlendingChart;
+import rasterlab.app.spline.curve.PlanRows;
 import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.curve.SteppedCurve;
@@ -44,6 +45,7 @@ final class CurveInspector {
     private JCheckBox construction;
     private JCheckBox comb;
     private JCheckBox hull;
+    private PlanRows plan;
     private JLabel segments;
     private JLabel error;
     private JLabel other;
@@ -73,7 +75,12 @@ final class CurveInspector {
      */
     List<Runnable> sections() {
         return List.of(
-                this::addMethods, this::addChoices, this::addReadings, this::addMatricesAndAbout);
+                this::addMethods,
+                this::addChoices,
+                this::addReadings,
+                () -> plan = new PlanRows(column, texts, model::plan),
+                this::addAt,
+                this::addMatricesAndAbout);
     }
 
     private void addMethods() {
@@ -115,7 +122,9 @@ final class CurveInspector {
         other = column.value("other");
         decision = column.value("decision");
         joints = column.value("joints");
+    }
 
+    private void addAt() {
         column.heading("heading.at");
         span = column.value("span");
         point = column.value("point");
@@ -205,6 +214,7 @@ final class CurveInspector {
         decision.setText(readings.decision());
         column.showRow(joints, !state.drawings().joints().isEmpty());
         joints.setText(readings.joints());
+        plan.show(state.choice().planning(), state.drawings().plan());
         span.setText(readings.span());
         point.setText(readings.point());
         derivative.setText(readings.derivative());

@@ -11,6 +11,7 @@ import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.spline.curve.CurveAt;
+import rasterlab.app.spline.curve.CurvePlanning;
 import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.curve.CurveTopic;
@@ -68,7 +69,8 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
                         Sampling.flat(FIRST_FLATNESS),
                         "adaptive",
                         "",
-                        new CurveOverlays(true, true, false));
+                        new CurveOverlays(true, true, false),
+                        CurvePlanning.FIRST);
         state = state(first, CurveDrawings.of(topic, first, () -> false), FIRST_T, 0);
         drawings =
                 new LatestOnly<>(
@@ -160,7 +162,12 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
      * @throws IllegalArgumentException naming the methods there are
      */
     public void chooseMethod(String method) {
-        change(state.choice().withMethod(topic.method(method).name()), false);
+        change(state.choice().byHand(topic.method(method).name()), false);
+    }
+
+    /** Lets the plan choose the method, and for how many drawings; or no more. */
+    public void plan(CurvePlanning planning) {
+        change(state.choice().withPlanning(planning), false);
     }
 
     /**
@@ -252,8 +259,16 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
         drawings.ask(choice);
     }
 
+    /** The method that the plan chose becomes the chosen one, which is no change of its own. */
     private void accept(CurveDrawings drawn) {
-        publish(state(state.choice(), drawn, state.t(), state.arrangement()));
+        CurveChoice choice = state.choice();
+        boolean planned = choice.planning().on() && choice.equals(drawn.choice());
+        publish(
+                state(
+                        planned ? choice.withMethod(drawn.drawing().method()) : choice,
+                        drawn,
+                        state.t(),
+                        state.arrangement()));
     }
 
     private CurveLabState state(

@@ -74,6 +74,18 @@ public final class Inspector extends JPanel implements Scrollable {
             label.setDisplayedMnemonic(texts.mnemonic(key));
             label.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
         }
+        add(label, control);
+    }
+
+    /** Adds a control behind a label of another part's texts, which has no mnemonic here. */
+    public void row(String name, String said, JComponent control) {
+        var label = new JLabel(said);
+        label.setName(name);
+        label.setLabelFor(control);
+        add(label, control);
+    }
+
+    private void add(JLabel label, JComponent control) {
         boolean list = control instanceof JComboBox;
         add(label, list && stacked ? "span 2" : "");
         add(control, (list ? "wmin pref" : "wmin 0") + (list && stacked ? ", span 2, growx" : ""));
