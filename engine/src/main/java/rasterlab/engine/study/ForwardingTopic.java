@@ -134,6 +134,11 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     }
 
     @Override
+    public boolean sized() {
+        return other.sized();
+    }
+
+    @Override
     public String errorUnit() {
         return other.errorUnit();
     }

@@ -185,6 +185,14 @@ public interface Topic<C, I, O> {
      */
     String item();
 
+    /**
+     * Whether the size of a workload says how much there is to do, so that costs and errors may
+     * grow with it; otherwise it is another number that tells workloads apart.
+     */
+    default boolean sized() {
+        return true;
+    }
+
     /** Unit of {@link Deviation#worst}. */
     String errorUnit();
 

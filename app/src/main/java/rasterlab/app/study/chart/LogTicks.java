@@ -1,6 +1,7 @@
 package rasterlab.app.study.chart;
 
 import java.util.Locale;
+import java.util.stream.Collectors;
 
 /** Numbers on a logarithmic axis: the multiples 1 to 9 of a power of ten, and how they are said. */
 public final class LogTicks {
@@ -17,18 +18,36 @@ public final class LogTicks {
         return Math.round(value / power) * power;
     }
 
-    /** A short decimal from 0.001 to a million, beyond that with an exponent: "1e-7". */
+    /** A short decimal from 0.001 to a million, beyond that with a power of ten: "10⁻⁷". */
     public static String label(double value, Locale locale) {
         if (value >= 0.000999 && value < 999_999)
             return String.format(locale, "%.3f", value).replaceFirst("[.,]?0+$", "");
-        int power = (int) Math.floor(Math.log10(value) + 1e-9);
-        return Math.round(value / Math.pow(10, power)) + "e" + power;
+        return withPower(value, locale);
+    }
+
+    /** The value as a multiple of a power of ten with two digits at most: "1.5·10⁻¹²". */
+    static String withPower(double value, Locale locale) {
+        int power = (int) Math.floor(Math.log10(value * 1.005));
+        String factor =
+                String.format(locale, "%.1f", value / Math.pow(10, power))
+                        .replaceFirst("[.,]0$", "");
+        return (factor.equals("1") ? "" : factor + "·") + "10" + raised(power);
+    }
+
+    /** A whole number as an exponent: "⁻¹²". */
+    private static String raised(int power) {
+        String digits =
+                String.valueOf(Math.abs(power))
+                        .chars()
+                        .mapToObj(digit -> "⁰¹²³⁴⁵⁶⁷⁸⁹".substring(digit - '0', digit - '0' + 1))
+                        .collect(Collectors.joining());
+        return (power < 0 ? "⁻" : "") + digits;
     }
 
     /** A size: its power of ten where it is one of more than four digits, as "10⁷". */
     static String size(int size) {
         String digits = String.valueOf(size);
         if (digits.length() < 5 || !digits.matches("10*")) return digits;
-        return "10" + "⁰¹²³⁴⁵⁶⁷⁸⁹".charAt(digits.length() - 1);
+        return "10" + raised(digits.length() - 1);
     }
 }

@@ -4,15 +4,19 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.format.FormatStyle;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Regime;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
@@ -143,9 +147,10 @@ public final class StudyWords {
 
     /** A number with two digits, as axes have them. */
     public String shortNumber(double value) {
-        return value >= 0.01 && value < 1000
-                ? String.format(locale(), "%.2g", value)
-                : String.format(locale(), "%.1e", value).replaceAll("e([+-])0*", "e$1");
+        if (value >= 0.01 && value < 99.5) return String.format(locale(), "%.2g", value);
+        return value >= 99.5 && value < 1000
+                ? String.format(locale(), "%.0f", value)
+                : LogTicks.withPower(value, locale());
     }
 
     /**
@@ -167,6 +172,8 @@ public final class StudyWords {
         var notes = new ArrayList<String>();
         String leftOut = String.join(" ", LeftOutNote.of(level, this).lines());
         if (!leftOut.isEmpty()) notes.add(leftOut + ".");
+        if (level.measurements().stream().anyMatch(StudyWords::hasNoNumber))
+            notes.add(texts.text("front.notRight.note", withoutNumber(level)));
         notes.add(texts.text(costKey.equals(RATIO) ? "front.note.brief" : "front.note"));
         measuredOn(study).ifPresent(notes::add);
         return String.join(" ", notes);
@@ -201,8 +208,52 @@ public final class StudyWords {
         return texts.text("growth.title." + of, called.topic(study.topic()));
     }
 
-    public String growthNote(String of) {
-        return texts.text("growth.note." + of);
+    /** How the chart of growth is read, and which methods have no place on its axis. */
+    public String growthNote(Study study, String of) {
+        var notes = new ArrayList<String>();
+        if (of.equals("ERROR") && study.measurements().stream().anyMatch(StudyWords::hasNoNumber))
+            notes.add(texts.text("growth.notRight", withoutNumber(study)));
+        if (isSized(study)) notes.add(texts.text("growth.note"));
+        notes.add(texts.text("growth.note." + of));
+        return String.join(" ", notes);
+    }
+
+    /** Whether the size of a study's inputs says how much there is to do. */
+    public static boolean isSized(Study study) {
+        return Topics.named(study.topic()).sized();
+    }
+
+    /** The reason why a chart of growth has nothing to draw. */
+    public String nothingGrows(Study study, String of) {
+        boolean exact =
+                study.measurements().stream()
+                        .filter(one -> one.cost().timed())
+                        .allMatch(one -> one.kind() == Verdict.Kind.EXACT);
+        return texts.text(exact && of.equals("ERROR") ? "growth.allExact" : "growth.nothing");
+    }
+
+    /** Whether a result is not right though no item is misplaced, so that no number tells how. */
+    private static boolean hasNoNumber(Measurement one) {
+        return one.cost().timed() && Double.isInfinite(ParetoFront.error(one));
+    }
+
+    private String withoutNumber(Study study) {
+        var said = new LinkedHashMap<String, String>();
+        for (Measurement one : study.measurements())
+            if (hasNoNumber(one))
+                said.putIfAbsent(
+                        called(one.method()),
+                        one.detail().isEmpty()
+                                ? ""
+                                : " (" + VerdictDetail.said(texts.language(), one.detail()) + ")");
+        return said.entrySet().stream()
+                .map(one -> one.getKey() + one.getValue())
+                .collect(Collectors.joining("; "));
+    }
+
+    /** The sign for results that are not right, though no number tells by how much. */
+    public String notRightShort() {
+        return texts.text("front.notRight");
     }
 
     public String byInputTitle(Study study) {
@@ -239,8 +290,8 @@ public final class StudyWords {
         return texts.text("input.failed");
     }
 
-    public String sizeAxis() {
-        return texts.text("growth.size");
+    public String sizeAxis(Study study) {
+        return texts.textOr("growth.size." + study.topic(), texts.text("growth.size"));
     }
 
     public String costPerInput(Study study) {
@@ -249,10 +300,13 @@ public final class StudyWords {
 
     /** A power of the size n. */
     public String power(double exponent, double margin) {
-        return texts.text(
-                "growth.power",
-                String.format(locale(), "%.2f", exponent),
-                String.format(locale(), "%.2f", margin));
+        return texts.text("growth.power", hundredths(exponent), hundredths(margin));
+    }
+
+    /** Two places behind the point, never a zero below zero. */
+    private String hundredths(double value) {
+        double rounded = Math.rint(100 * value) / 100 + 0.0;
+        return String.format(locale(), "%.2f", rounded).replace('-', '−');
     }
 
     /** The sign for an error of zero. */

@@ -102,7 +102,7 @@ public final class ErrorByInputChart implements StudyPicture {
         LogScale up = LogScale.over(errors, exact - 6, failed + 10);
         band(graphics, FAILED, plot, plot.getMinY(), failed);
         band(graphics, EXACT, plot, exact, plot.getMaxY());
-        frame.axisRight(across, words.sizeAxis());
+        frame.axisRight(across, words.sizeAxis(study));
         if (errors.isEmpty()) frame.wordsUp(words.errorAxis(study));
         else frame.axisUp(up, words.errorAxis(study));
         frame.besideLeft(words.exactShort(), (exact + plot.getMaxY()) / 2);

@@ -33,7 +33,9 @@ public final class FrontChart implements StudyPicture {
     private static final int MARK = 11;
     private static final double PALE = 0.6;
     private static final double LEADER = 0.7;
+    private static final int ROW = 26;
     private static final Color EXACT = new Color(0, 158, 115, 32);
+    private static final Color NOT_RIGHT = new Color(213, 94, 0, 32);
 
     private final Study study;
     private final String workload;
@@ -104,21 +106,23 @@ public final class FrontChart implements StudyPicture {
                         .map(ParetoFront::error)
                         .filter(error -> error > 0 && Double.isFinite(error))
                         .toList();
-        double border = errors.isEmpty() ? plot.getMinY() : plot.getMaxY() - BAND;
-        LogScale up = LogScale.over(errors, border - 6, plot.getMinY() + 14);
-        graphics.setColor(EXACT);
-        graphics.fill(
-                new Rectangle2D.Double(
-                        plot.getMinX(), border, plot.getWidth(), plot.getMaxY() - border));
+        boolean notRight =
+                points.stream().anyMatch(point -> Double.isInfinite(ParetoFront.error(point)));
+        double top = plot.getMinY() + (notRight ? ROW : 0);
+        double border = errors.isEmpty() ? top : plot.getMaxY() - BAND;
+        LogScale up = LogScale.over(errors, border - 6, top + 14);
+        band(graphics, NOT_RIGHT, plot, plot.getMinY(), top);
+        band(graphics, EXACT, plot, border, plot.getMaxY());
         frame.axisRight(across, words.briefCostAxis(study));
         if (errors.isEmpty()) frame.wordsUp(words.errorAxis(study));
         else frame.axisUp(up, words.errorAxis(study));
         double row = (border + plot.getMaxY()) / 2;
         frame.besideLeft(words.exactShort(), row - 7);
         if (bound > 0) frame.besideLeft("≤ " + words.shortNumber(bound), row + 8);
+        if (notRight) frame.besideLeft(words.notRightShort(), top - ROW / 2.0);
         for (Measurement point : points) {
             double error = ParetoFront.error(point);
-            double y = error == 0 ? row : Double.isFinite(error) ? up.at(error) : up.to() - 8;
+            double y = error == 0 ? row : Double.isFinite(error) ? up.at(error) : top - ROW / 2.0;
             spots.add(new Spot(point, across.at(point.cost().medianNanos()), y));
         }
         staircase(graphics, plot);
@@ -131,6 +135,12 @@ public final class FrontChart implements StudyPicture {
                     looks.get(spot.point().method())
                             .marker()
                             .paint(ink(graphics, spot.point()), spot.x(), spot.y(), MARK);
+    }
+
+    private static void band(
+            Graphics2D graphics, Color colour, Rectangle2D plot, double top, double bottom) {
+        graphics.setColor(colour);
+        graphics.fill(new Rectangle2D.Double(plot.getMinX(), top, plot.getWidth(), bottom - top));
     }
 
     private Graphics2D ink(Graphics2D graphics, Measurement point) {

@@ -2,6 +2,7 @@ package rasterlab.app.study.front;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A logarithmic axis on a picture.
@@ -34,15 +35,32 @@ record LogScale(double low, double high, double from, double to) {
         return from + (to - from) * Math.log(kept / low) / Math.log(high / low);
     }
 
-    /** The values that have a number, 1, 2 and 5 times powers of ten where there are few powers. */
+    /**
+     * The values that have a number: powers of ten, where these are few also 2 and 5 times them,
+     * and still more where there are less than two.
+     */
     List<Double> ticks() {
         int first = (int) Math.floor(Math.log10(low));
         int last = (int) Math.ceil(Math.log10(high));
-        List<Integer> factors = last - first <= 3 ? List.of(1, 2, 5) : List.of(1);
+        List<Double> ticks = ticks(last - first <= 3 ? List.of(1.0, 2.0, 5.0) : List.of(1.0));
+        for (int parts = 1; ticks.size() < 2 && parts <= 10; parts *= 10) {
+            int all = parts;
+            ticks =
+                    ticks(
+                            IntStream.range(parts, 10 * parts)
+                                    .mapToObj(part -> part / (double) all)
+                                    .toList());
+        }
+        return ticks;
+    }
+
+    private List<Double> ticks(List<Double> factors) {
+        int first = (int) Math.floor(Math.log10(low));
+        int last = (int) Math.ceil(Math.log10(high));
         int step = Math.max(1, (last - first) / MOST_TICKS);
         var ticks = new ArrayList<Double>();
         for (int power = first; power <= last; power++)
-            for (int factor : factors) {
+            for (double factor : factors) {
                 double tick = factor * Math.pow(10, power);
                 if (low <= tick && tick <= high && (power - first) % step == 0) ticks.add(tick);
             }

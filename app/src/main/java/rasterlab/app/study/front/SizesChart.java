@@ -55,8 +55,12 @@ public final class SizesChart implements StudyPicture {
         drawing = new MethodLines(MethodLines.looks(study.topic(), methods, paper), paper);
         for (String method : methods) {
             List<PowerFit.Point> points = points(method);
-            if (!points.isEmpty()) lines.add(new Line(method, points, PowerFit.of(points)));
+            if (!points.isEmpty()) lines.add(new Line(method, points, fit(points)));
         }
+    }
+
+    private Optional<PowerFit> fit(List<PowerFit.Point> points) {
+        return StudyWords.isSized(study) ? PowerFit.of(points) : Optional.empty();
     }
 
     /** The kind of workload that has most sizes. */
@@ -117,14 +121,18 @@ public final class SizesChart implements StudyPicture {
                         TOP,
                         words.growthTitle(study, of.name()),
                         lines.stream().map(this::label).toList(),
-                        words.growthNote(of.name()))
+                        lines.isEmpty()
+                                ? words.nothingGrows(study, of.name())
+                                        + " "
+                                        + words.growthNote(study, of.name())
+                                : words.growthNote(study, of.name()))
                 .paint(graphics, width, height, (frame, plot) -> paintLines(graphics, frame, plot));
     }
 
     private void paintLines(Graphics2D graphics, PlotFrame frame, Rectangle2D plot) {
         LogScale across = LogScale.over(values(true), plot.getMinX(), plot.getMaxX());
         LogScale up = LogScale.over(values(false), plot.getMaxY(), plot.getMinY());
-        frame.axisRight(across, words.sizeAxis());
+        frame.axisRight(across, words.sizeAxis(study));
         frame.axisUp(up, of == Of.COST ? words.costPerInput(study) : words.errorAxis(study));
         var labels = new ArrayList<LeaderColumn.Label>();
         for (Line line : lines) {

@@ -79,9 +79,92 @@ class FrontChartTest {
     @Test
     void growthIsToldWithItsPowerAndInterval() {
         String svg = svg(StudyPlot.COST_GROWTH, Language.ENGLISH);
-        assertTrue(svg.contains("bresenham  n^(1.00 ± 0.00)"), svg);
+        assertTrue(svg.contains("bresenham  p = 1.00 ± 0.00"), svg);
         String errors = svg(StudyPlot.ERROR_GROWTH, Language.ENGLISH);
         assertFalse(errors.contains(">bresenham"), "no place for what is exact");
+    }
+
+    private static Study of(String topic, List<Measurement> points) {
+        return new Study(topic, "item", "units", points);
+    }
+
+    private static String svg(StudyPlot plot, Study study) {
+        byte[] svg =
+                plot.of(study, new StudyWords(Language.ENGLISH), ChartLook.PAPER)
+                        .svg(ChartLook.PAPER);
+        return new String(svg, StandardCharsets.UTF_8);
+    }
+
+    @Test
+    @DisplayName("the size of no error at all looks like the largest of all, or like none")
+    void whatIsNotRightWithoutANumberHasARowOfItsOwn() {
+        Measurement again =
+                new Measurement(
+                        "bresenham-textbook",
+                        "length-16",
+                        16,
+                        Cost.of(List.of(5.0, 5.1, 5.2, 5.3), Map.of("items", 90L, "inputs", 1L)),
+                        Deviation.NONE,
+                        Verdict.Kind.WRONG,
+                        "8 pixels are drawn again");
+        Study circle =
+                of(
+                        "circle",
+                        List.of(again, timed("midpoint", 16, 10, 0), timed("naive", 16, 9, 2)));
+        var chart = new FrontChart(circle, new StudyWords(Language.ENGLISH), ChartLook.PAPER);
+        chart.image(ChartLook.PAPER);
+        String said = "tells by how much: bresenham-textbook (8 pixels are drawn again).";
+        assertTrue(text(svg(StudyPlot.FRONT, circle)).contains(said), "its row is explained");
+        assertTrue(text(svg(StudyPlot.FRONT, circle)).contains("not right"), "its row has a name");
+        assertTrue(
+                text(svg(StudyPlot.ERROR_GROWTH, circle))
+                        .contains(
+                                "not on this axis: bresenham-textbook (8 pixels are drawn again)"),
+                "it is not among the exact ones");
+    }
+
+    /** The words of a drawing, lines joined. */
+    private static String text(String svg) {
+        return svg.replaceAll("<[^>]*>\\s*", " ").replaceAll("\\s+", " ");
+    }
+
+    @Test
+    @DisplayName("an empty frame says nothing")
+    void whereAllIsExactTheChartOfErrorsSaysSo() {
+        Study exact =
+                of("point-in-triangle", List.of(timed("sign", 16, 9, 0), timed("sign", 64, 9, 0)));
+        assertTrue(text(svg(StudyPlot.ERROR_GROWTH, exact)).contains("every result is exact"));
+    }
+
+    @Test
+    @DisplayName("a power is fitted to a size that is none")
+    void noPowerWhereSizesSayNothingOfTheWork() {
+        var points = new ArrayList<Measurement>();
+        for (int size : new int[] {5, 25, 50}) points.add(timed("liang-barsky", size, 30, 0));
+        String svg = svg(StudyPlot.COST_GROWTH, of("clip-segment", points));
+        assertFalse(svg.contains("p = "), svg);
+        assertTrue(svg.contains(">visible segments of 100<"), svg);
+    }
+
+    @Test
+    @DisplayName("an exponent is a zero below zero")
+    void powersHaveRealSigns() {
+        var words = new StudyWords(Language.ENGLISH);
+        assertEquals("p = 0.00 ± 0.05", words.power(-0.001, 0.05));
+        assertEquals("p = −0.50 ± 0.05", words.power(-0.5, 0.05));
+        assertEquals("1.5·10⁻¹²", words.shortNumber(1.5e-12));
+        assertEquals("10⁻¹²", words.shortNumber(1e-12));
+        assertEquals("150", words.shortNumber(150));
+    }
+
+    @Test
+    @DisplayName("an axis whose errors are all alike has no number")
+    void everyAxisHasTwoNumbers() {
+        for (double error : new double[] {3.3e-14, 1, 7, 1.3, 99.7}) {
+            LogScale scale = LogScale.over(List.of(error), 0, 100);
+            assertTrue(scale.ticks().size() >= 2, error + ": " + scale.ticks());
+            assertTrue(scale.ticks().stream().allMatch(t -> scale.low() <= t && t <= scale.high()));
+        }
     }
 
     @Test

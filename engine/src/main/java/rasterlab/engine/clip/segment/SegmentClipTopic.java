@@ -187,6 +187,12 @@ public final class SegmentClipTopic
         return "segment";
     }
 
+    /** {@inheritDoc} It is how many of a hundred segments are visible. */
+    @Override
+    public boolean sized() {
+        return false;
+    }
+
     @Override
     public String errorUnit() {
         return "window sizes";
