@@ -4,7 +4,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -26,81 +25,13 @@ public record PlanReport(PlanTrial trial, PlanPath path, String costs, List<Comb
 
     /** Prints it for people. */
     public void print(PrintStream out, Language language) {
-        Texts texts = Texts.of("plan", language);
-        Plan plan = trial.plan();
-        out.println(
-                texts.text(
-                        "head",
-                        plan.full().scene().name(),
-                        plan.full().width() + "×" + plan.full().height(),
-                        number(plan.tolerance().pixels()),
-                        number(plan.tolerance().levels())));
-        for (PlanDecision decision : plan.decisions()) {
-            out.println(
-                    texts.text(
-                            decision.saves() ? "decision" : "kept",
-                            texts.text("subject." + decision.subject()),
-                            word(texts, decision.chosen()),
-                            word(texts, decision.instead())));
-            out.println("    " + reason(texts, decision));
-        }
-        out.println(
-                texts.text(
-                        "predicted",
-                        number(plan.predictedPixels()),
-                        number(plan.predictedLevels()),
-                        number(plan.cost().milliseconds()),
-                        number(plan.fullCost().milliseconds())));
-        out.println(
-                texts.text(
-                        "measured",
-                        number(trial.error().levels()),
-                        Long.toString(trial.error().wrong()),
-                        number(100 * trial.error().share()),
-                        number(trial.processor()),
-                        number(trial.fullProcessor()),
-                        number(trial.processor() / trial.fullProcessor())));
-        out.println(
-                texts.text("wall", number(trial.milliseconds()), number(trial.fullMilliseconds())));
-        out.println(texts.text("counted"));
-        var full = plan.fullCost().work().stages();
-        for (Map.Entry<String, Long> stage : plan.cost().work().stages().entrySet())
-            if (stage.getValue() > 0 || full.get(stage.getKey()) > 0)
-                out.println(
-                        texts.text(
-                                "stage",
-                                texts.text("stage." + stage.getKey()),
-                                stage.getValue().toString(),
-                                full.get(stage.getKey()).toString()));
-        out.println(range(texts, plan));
-        out.println(
-                texts.text(
-                        "deciding",
-                        number(path.firstMilliseconds()),
-                        number(path.perPicture()),
-                        Integer.toString(path.pictures()),
-                        Integer.toString(path.plans()),
-                        number(100 * path.perPicture() / trial.fullProcessor())));
-        if (trial.steppedBack() > 0) out.println(texts.text("back", trial.steppedBack() + ""));
-        out.println(texts.text("costs", costs));
-        printProof(out, texts);
-    }
-
-    private void printProof(PrintStream out, Texts texts) {
-        if (proof.isEmpty()) return;
-        Combination best = proof.get(0);
-        out.println(
-                texts.text(
-                        "proof",
-                        proof.size() + "",
-                        best.name(),
-                        number(best.processor()),
-                        number(trial.processor() / best.processor())));
+        new PlanText(this, Texts.of("plan", language)).print(out);
     }
 
     /** A decision's reason in a language. */
     public static String reason(Texts texts, PlanDecision decision) {
-        return decision.reason().in(texts.text("reason." + decision.reason().key()));
+        String pattern = texts.text("reason." + decision.reason().key());
+        return decision.reason().in(pattern, texts.locale());
     }
 
     /** The choice, where it is words rather than a name, in a language. */
@@ -110,20 +41,6 @@ public record PlanReport(PlanTrial trial, PlanPath path, String costs, List<Comb
         return chosen.replaceAll("^part ", texts.text("part") + " ")
                 .replaceAll(": nothing$", ": " + texts.text("nothing"))
                 .replaceAll(" faces$", " " + texts.text("faces"));
-    }
-
-    private static String range(Texts texts, Plan plan) {
-        if (plan.range().turn() == 0) return texts.text("range.here");
-        return texts.text(
-                "range",
-                number(Math.toDegrees(plan.range().turn())),
-                number(100 * (plan.range().zoom() - 1)));
-    }
-
-    private static String number(double value) {
-        if (Double.isInfinite(value)) return "∞";
-        String three = String.format(Locale.ROOT, "%.3f", value);
-        return three.replaceAll("0+$", "").replaceAll("\\.$", "");
     }
 
     /** Writes it for programs: one object. */

@@ -24,8 +24,8 @@ public record Reason(String key, String pattern, List<Object> values) {
         return pattern.formatted(values.toArray());
     }
 
-    /** The sentence in another language's pattern of the same values. */
-    public String in(String other) {
-        return String.format(Locale.ROOT, other, values.toArray());
+    /** The sentence in another language's pattern of the same values, with its numbers. */
+    public String in(String other, Locale language) {
+        return String.format(language, other, values.toArray());
     }
 }

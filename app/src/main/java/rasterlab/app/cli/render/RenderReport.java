@@ -7,9 +7,11 @@ import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import rasterlab.app.plan.CountedWork;
 import rasterlab.app.plan.PlanReport;
+import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Choice;
 import rasterlab.engine.pipeline.Look;
@@ -18,6 +20,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.plan.Plan;
+import rasterlab.engine.plan.PlanDecision;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.visibility.ClipPlane;
 import rasterlab.engine.visibility.VisibilityWork;
@@ -86,10 +89,28 @@ record RenderReport(
      * Writes the method that is used under its own name, and the reason under the name with {@code
      * Because}.
      */
-    private static void writeChoice(JsonGenerator json, String name, Choice choice)
-            throws IOException {
+    private void writeChoice(JsonGenerator json, String name, Choice choice) throws IOException {
         json.writeStringField(name, choice.chosen());
-        json.writeStringField(name + "Because", choice.reason());
+        String reason =
+                decided(name)
+                        .map(decision -> "plan: " + decision.reason().english())
+                        .orElse(choice.reason());
+        json.writeStringField(name + "Because", reason);
+    }
+
+    private Optional<PlanDecision> decided(String subject) {
+        return plan.stream()
+                .flatMap(one -> one.decisions().stream())
+                .filter(one -> one.subject().equals(subject))
+                .findFirst();
+    }
+
+    /** The terms of light that are drawn: a plan leaves out those that add nothing. */
+    private Set<LightTerm> terms(Look look) {
+        var terms = new TreeSet<>(look.terms());
+        if (request.scene().light().model().reflection() == Reflection.LAMBERT
+                && decided("terms").isPresent()) terms.remove(LightTerm.SPECULAR);
+        return terms;
     }
 
     private void writeView(JsonGenerator json) throws IOException {
@@ -114,7 +135,7 @@ record RenderReport(
 
     private void writeLook(JsonGenerator json, Look look) throws IOException {
         json.writeArrayFieldStart("terms");
-        for (LightTerm term : new TreeSet<>(look.terms())) json.writeString(term.code());
+        for (LightTerm term : terms(look)) json.writeString(term.code());
         json.writeEndArray();
         if (look.sides() != Sides.SCENE)
             json.writeBooleanField("twoSided", look.sides() == Sides.TWO);

@@ -17,6 +17,7 @@ import javax.swing.table.TableColumnModel;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.plan.CostOrigin;
 
 /** The bill of a picture: a row for each stage, and one for all of them. */
 public final class BillTable extends JTable {
@@ -131,7 +132,8 @@ public final class BillTable extends JTable {
     }
 
     private String meaning(int column) {
-        String costs = bill.map(found -> found.counted().origin()).orElse("");
+        String costs =
+                bill.map(found -> CostOrigin.said(texts, found.counted().origin())).orElse("");
         return texts.text(
                 "table." + COLUMNS.get(column) + ".hint",
                 COLUMNS.get(column).equals("plan") ? usual() : costs);

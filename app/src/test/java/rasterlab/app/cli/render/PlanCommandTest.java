@@ -71,6 +71,41 @@ class PlanCommandTest {
             assertFalse(decision.path("because").asText().isEmpty(), ran.out());
     }
 
+    @Test
+    @DisplayName("what the plan decided is said to be asked for, or a term that it drops is listed")
+    void reportSaysThatThePlanDecided() throws Exception {
+        Path drawn = folder.resolve("vase.png");
+        Ran ran = tolerant("vase", "--tolerance=1", "--levels=4", "--size=80x60", "--out=" + drawn);
+        ran.assertDone();
+        JsonNode report = new ObjectMapper().readTree(ran.out());
+        for (String choice : new String[] {"visibilityBecause", "shadingBecause"})
+            assertTrue(report.path(choice).asText().startsWith("plan: "), ran.out());
+        assertEquals("[\"ambient\",\"diffuse\",\"emission\"]", report.path("terms").toString());
+    }
+
+    @Test
+    @DisplayName("the cheapest combination is the plan, and yet cheaper than it")
+    void proofKnowsThePlanItself() {
+        Ran english = plan("vase", "--tolerance", "1", "--levels", "8", "--prove");
+        english.assertDone();
+        assertTrue(english.out().contains("  light: specular left out\n"), english.out());
+        boolean itself = english.out().contains("is the plan itself");
+        assertFalse(itself && english.out().contains("times as much"), english.out());
+        Ran russian = plan("vase", "--tolerance", "0.5", "--levels", "8", "--lang", "ru");
+        assertTrue(russian.out().contains("0,5\u00a0пикс."), russian.out());
+        assertTrue(russian.out().contains("затраты: неотрицательный метод"), russian.out());
+        assertFalse(russian.out().contains("squares"), russian.out());
+    }
+
+    @Test
+    @DisplayName("the full pipeline is 0.942 of itself")
+    void planThatLeavesNothingOutIsTheSame() {
+        Ran ran = plan("cube", "--tolerance", "0.001", "--levels", "0");
+        ran.assertDone();
+        boolean saves = ran.out().contains(", not ") || ran.out().contains("left out");
+        assertEquals(!saves, ran.out().contains("the same; 1"), ran.out());
+    }
+
     private static Ran tolerant(String... options) {
         return Ran.lab(
                 Stream.concat(Stream.of("render"), Stream.of(options)).toArray(String[]::new));
