@@ -37,12 +37,16 @@ public final class SignSheet {
 
     private final List<SignMap> maps;
     private final Texts texts;
+    private final SignWords words;
+    private final List<String> notes;
     private final ChartLook look;
     private final SignPainter painter;
 
     public SignSheet(List<SignMap> maps, Language language, ChartLook look) {
         this.maps = List.copyOf(maps);
         texts = Texts.of("signmap", language);
+        words = new SignWords(texts);
+        notes = notes();
         this.look = look;
         painter = new SignPainter(look);
     }
@@ -62,7 +66,26 @@ public final class SignSheet {
     }
 
     public int height() {
-        return TOP + rows() * tile() + (legend().size() + 1) / 2 * (LINE + 8) + 3 * LINE + 16;
+        int legend = (legend().size() + 1) / 2 * (LINE + 8);
+        return TOP + rows() * tile() + legend + notes.size() * LINE + 16;
+    }
+
+    /** The lines below the legend: the inputs that repeat each map, then how maps are read. */
+    private List<String> notes() {
+        Graphics2D g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        FontMetrics metrics = g.getFontMetrics(PLAIN);
+        var all = new ArrayList<>(words.inputs(maps));
+        all.add(texts.text("note"));
+        List<String> lines =
+                all.stream()
+                        .flatMap(
+                                one ->
+                                        Wrapping.lines(
+                                                one, WIDTH - 2 * MARGIN, metrics::stringWidth)
+                                                .stream())
+                        .toList();
+        g.dispose();
+        return lines;
     }
 
     /** The sheet as a picture. */
@@ -103,7 +126,7 @@ public final class SignSheet {
         g.setColor(look.ink());
         g.drawString(map.subject() + " " + map.method(), x, base);
         g.setFont(PLAIN);
-        g.drawString(texts.text("share", map.share(), map.extra() + map.missing()), x, base + LINE);
+        g.drawString(words.share(map), x, base + LINE);
         g.setColor(look.note());
         g.drawString(
                 texts.text("place." + map.spacing().code(), map.x(0), map.y(0)),
@@ -134,10 +157,8 @@ public final class SignSheet {
             g.drawString(words(dots.get(i)), x + 2 * SWATCH + 8, y + 14);
         }
         int y = top + (dots.size() + 1) / 2 * (LINE + 8) + LINE;
-        FontMetrics metrics = g.getFontMetrics();
         g.setColor(look.note());
-        for (String line :
-                Wrapping.lines(texts.text("note"), WIDTH - 2 * MARGIN, metrics::stringWidth)) {
+        for (String line : notes) {
             g.drawString(line, MARGIN, y);
             y += LINE;
         }

@@ -89,14 +89,9 @@ public final class SignWindow extends JDialog {
 
     /** The picture in words, for those who do not see it. */
     private static String words(List<SignMap> maps, Language language) {
-        Texts texts = Texts.of("signmap", language);
+        var words = new SignWords(language);
         return maps.stream()
-                .map(
-                        map ->
-                                map.method()
-                                        + ": "
-                                        + texts.text(
-                                                "share", map.share(), map.extra() + map.missing()))
+                .map(map -> map.method() + ": " + words.share(map))
                 .collect(Collectors.joining("; "));
     }
 

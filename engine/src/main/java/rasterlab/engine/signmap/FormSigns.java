@@ -3,6 +3,7 @@ package rasterlab.engine.signmap;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.predicate.PointQuestion;
 import rasterlab.engine.predicate.Spacing;
@@ -12,15 +13,18 @@ final class FormSigns implements SignSubject {
     private static final int SIZE = 128;
 
     private final String name;
+    private final String others;
     private final List<SignForm> forms;
     private final Sign exact;
     private final Map<Spacing, byte[]> right = new EnumMap<>(Spacing.class);
 
     /**
+     * @param others the points that stay where they are
      * @param exact the right sign, whatever it costs
      */
-    FormSigns(String name, List<SignForm> forms, Sign exact) {
+    FormSigns(String name, String others, List<SignForm> forms, Sign exact) {
         this.name = name;
+        this.others = others;
         this.forms = List.copyOf(forms);
         this.exact = exact;
     }
@@ -28,6 +32,11 @@ final class FormSigns implements SignSubject {
     @Override
     public String name() {
         return name;
+    }
+
+    @Override
+    public Optional<String> others() {
+        return Optional.of(others);
     }
 
     @Override

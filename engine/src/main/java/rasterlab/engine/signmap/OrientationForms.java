@@ -25,6 +25,7 @@ final class OrientationForms {
     static SignSubject subject() {
         return new FormSigns(
                 "orientation",
+                "q = (12, 12), r = (24, 24)",
                 List.of(
                         new SignForm("from-p", Spacing.DOUBLE, OrientationForms::fromP),
                         new SignForm("from-q", Spacing.DOUBLE, OrientationForms::fromQ),

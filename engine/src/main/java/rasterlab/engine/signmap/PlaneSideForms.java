@@ -25,6 +25,7 @@ final class PlaneSideForms {
     static SignSubject subject() {
         return new FormSigns(
                 "side-of-plane",
+                "a = (12.5, 24.5, 12.5), b = (24.5, 12.5, −47.5), c = (−11.5, 6.5, 48.5), z = 0.5",
                 List.of(
                         new SignForm("constant", Spacing.DOUBLE, PlaneSideForms::constant),
                         new SignForm("point", Spacing.DOUBLE, PlaneSideForms::point),

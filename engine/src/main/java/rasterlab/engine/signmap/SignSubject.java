@@ -20,6 +20,12 @@ public interface SignSubject {
      */
     SignMap map(String method);
 
+    /**
+     * The points that stay where they are, as they are written on paper; empty where an input of
+     * the topic tells them.
+     */
+    Optional<String> others();
+
     /** The topic's, if it asks such a question. */
     static <C, I, O> Optional<SignSubject> of(Topic<C, I, O> topic) {
         return topic.question().map(question -> new TopicSigns<>(topic, question));

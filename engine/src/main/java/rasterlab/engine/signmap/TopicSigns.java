@@ -3,6 +3,7 @@ package rasterlab.engine.signmap;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rasterlab.engine.predicate.PointQuestion;
 import rasterlab.engine.predicate.Spacing;
 import rasterlab.engine.study.LimitReached;
@@ -23,6 +24,11 @@ final class TopicSigns<C, I, O> implements SignSubject {
     @Override
     public String name() {
         return topic.name();
+    }
+
+    @Override
+    public Optional<String> others() {
+        return Optional.empty();
     }
 
     @Override

@@ -60,7 +60,7 @@ final class ChartTables {
                             map.subject(),
                             map.method(),
                             map.spacing().code(),
-                            String.format(texts.locale(), "%.1f %%", 100 * map.share()),
+                            percent(map),
                             "" + map.extra(),
                             "" + map.missing(),
                             "" + map.unanswered()));
@@ -110,6 +110,13 @@ final class ChartTables {
                                                 thousandths(profile.largestStep()),
                                                 thousandths(profile.largestKink()))));
         return table;
+    }
+
+    /** The share of wrong points, which is 0.0 only where there is none. */
+    private String percent(SignMap map) {
+        boolean least = map.extra() + map.missing() > 0 && map.share() < 0.0005;
+        return (least ? "<" : "")
+                + String.format(texts.locale(), "%.1f %%", least ? 0.1 : 100 * map.share());
     }
 
     private String thousandths(double share) {

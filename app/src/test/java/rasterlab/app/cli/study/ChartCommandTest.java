@@ -188,7 +188,10 @@ class ChartCommandTest {
         assertEquals("orientation from-p double 32.6 % 2673 2673 0", rows.get(1));
         assertEquals("point-in-triangle robust double 0.0 % 0 0 0", rows.get(2));
         assertTrue(Files.readString(json).contains("\"wrong\" : 5346"), "counted for programs");
-        assertTrue(Files.readString(svg).contains("orientation from-p"), "its name in the drawing");
+        String drawn = Files.readString(svg);
+        assertTrue(drawn.contains("orientation from-p"), "its name in the drawing");
+        assertTrue(drawn.contains("p = (0.5, 0.5), q = (12, 12), r = (24, 24)"), "all its points");
+        assertTrue(drawn.contains("[0.5, 0.5]") || drawn.contains("[[0.5, 0.5]]"), drawn);
     }
 
     @Test
