@@ -74,7 +74,7 @@ public final class HazardSearch<C, I, O> {
     /** Whether something took too long on the last input. */
     private boolean late;
 
-    private long tried;
+    private volatile long tried;
     private int asked;
     private int drawn;
     private int slow;
@@ -150,14 +150,19 @@ public final class HazardSearch<C, I, O> {
         while (!over.getAsBoolean()) {
             boolean patient = !waiting.isEmpty() && patientNanos < PATIENCE * passed().toNanos();
             JsonNode tree = patient ? waiting.remove() : next();
-            if (tree == null) continue;
-            Optional<Failing> failing = patient ? patiently(tree) : tried(tree);
+            Optional<Failing> failing =
+                    tree == null ? Optional.empty() : patient ? patiently(tree) : tried(tree);
             if (failing.isPresent()) return Optional.of(shrunk(failing.get(), deadline, cancelled));
             if (System.nanoTime() - next < 0) continue;
             told.tried(tried);
             next += TELL_NANOS;
         }
         return inexact.map(failing -> shrunk(failing, deadline, cancelled));
+    }
+
+    /** How many inputs were tried so far. */
+    public long inputsTried() {
+        return tried;
     }
 
     private JsonNode next() {

@@ -8,6 +8,7 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -95,17 +96,34 @@ final class SearchedInputs<C, I, O> {
         return trees;
     }
 
-    /** Leaves the first few items of each array for which the rest is still an input. */
+    /**
+     * Leaves the first few items of each array for which the rest is still an input, outer arrays
+     * first and the last field first: it may refer to items of those before it, which then can go.
+     * Twice, for references the other way.
+     */
     private void cut(JsonNode tree) {
-        for (int at = 0; at < new TreeParts(tree).arrays().size(); at++) {
-            ArrayNode array = new TreeParts(tree).arrays().get(at);
-            if (array.size() <= FEW) continue;
-            ArrayNode whole = array.deepCopy();
-            while (array.size() > FEW) array.remove(array.size() - 1);
-            if (read(tree).isPresent()) continue;
+        for (int pass = 0; pass < 2; pass++) cut(tree, tree);
+    }
+
+    private void cut(JsonNode tree, JsonNode part) {
+        if (part instanceof ArrayNode array && array.size() > FEW) shorten(tree, array);
+        var inner = new ArrayList<JsonNode>();
+        part.forEach(inner::add);
+        Collections.reverse(inner);
+        for (JsonNode one : inner) if (one.isContainerNode()) cut(tree, one);
+    }
+
+    /** Leaves the first few items, or twice as many, and so on, whichever is an input first. */
+    private void shorten(JsonNode tree, ArrayNode array) {
+        var whole = new ArrayList<JsonNode>();
+        array.forEach(whole::add);
+        for (int few = FEW; few < whole.size() && few <= MOST_LEAVES; few *= 2) {
             array.removeAll();
-            array.addAll(whole);
+            array.addAll(whole.subList(0, few));
+            if (read(tree).isPresent()) return;
         }
+        array.removeAll();
+        array.addAll(whole);
     }
 
     private JsonNode treeOrNull(I input) {

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.BooleanNode;
 import com.fasterxml.jackson.databind.node.TextNode;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import rasterlab.engine.border.BorderNumbers;
@@ -35,10 +36,7 @@ final class TreeMutation {
             case 4 -> spread(parts);
             case 5, 6 -> changeItems(parts);
             case 7 -> alignItem(parts);
-            case 8 -> {
-                if (random.nextBoolean()) scale(parts);
-                else equate(parts);
-            }
+            case 8 -> scale(parts, tree);
             default -> equate(parts);
         }
     }
@@ -153,14 +151,35 @@ final class TreeMutation {
         }
     }
 
-    /** All numbers of an array, or of the whole input, become larger, smaller or farther out. */
-    private void scale(TreeParts parts) {
-        List<Place> numbers = parts.numbers();
-        double factor = Math.scalb(1.0, random.nextInt(121) - 60);
-        boolean added = random.nextBoolean();
+    /** All numbers of one field, or of the whole input, become larger, smaller or farther out. */
+    private void scale(TreeParts parts, JsonNode tree) {
+        List<Place> numbers = random.nextBoolean() ? parts.numbers() : ofOneField(tree);
+        boolean toTheBorder = random.nextInt(3) == 0;
+        double factor =
+                toTheBorder ? toTheBorder(numbers) : Math.scalb(1.0, random.nextInt(121) - 60);
+        boolean added = !toTheBorder && random.nextBoolean();
         for (Place place : numbers) {
             double old = place.value().doubleValue();
             place.put(TreeParts.number(finite(added ? old + factor : old * factor)));
         }
+    }
+
+    private List<Place> ofOneField(JsonNode tree) {
+        List<JsonNode> fields = new ArrayList<>();
+        for (JsonNode field : tree) if (field.isContainerNode()) fields.add(field);
+        return fields.isEmpty() ? List.of() : new TreeParts(any(fields)).numbers();
+    }
+
+    /** The factor by which the largest of the numbers has a square that overflows or vanishes. */
+    private double toTheBorder(List<Place> numbers) {
+        double most =
+                numbers.stream()
+                        .mapToDouble(n -> Math.abs(n.value().doubleValue()))
+                        .max()
+                        .orElse(0);
+        if (most == 0) return 1;
+        int exponent = 513 + random.nextInt(500);
+        return Math.scalb(
+                1.0, (random.nextBoolean() ? exponent : -exponent) - Math.getExponent(most));
     }
 }

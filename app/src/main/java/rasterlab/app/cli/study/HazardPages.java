@@ -1,14 +1,11 @@
 package rasterlab.app.cli.study;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.hazard.HazardPage;
 import rasterlab.app.language.Language;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.study.HazardTrial;
@@ -21,10 +18,12 @@ record HazardPages(Console console, Path place) {
     int write(List<? extends Topic<?, ?, ?>> topics) {
         boolean one = topics.size() == 1 && place.toString().endsWith(EXTENSION);
         if (one) {
+            Path folder = place.toAbsolutePath().getParent();
+            if (folder != null) WholeFile.requireFolder(folder);
             WholeFile.requireWritable(place);
             return code(write(topics.get(0), place));
         }
-        makeFolder();
+        WholeFile.requireFolder(place);
         boolean asRecorded = true;
         for (Topic<?, ?, ?> topic : topics)
             asRecorded &= write(topic, place.resolve(topic.name() + EXTENSION));
@@ -36,15 +35,6 @@ record HazardPages(Console console, Path place) {
 
     private static int code(boolean asRecorded) {
         return asRecorded ? ExitCode.DONE : ExitCode.FOUND_WRONG;
-    }
-
-    private void makeFolder() {
-        try {
-            Files.createDirectories(place);
-        } catch (IOException e) {
-            throw Complaint.badInput(place + ": cannot be made: " + WholeFile.reason(e));
-        }
-        WholeFile.requireFolderWritable(place);
     }
 
     /** Whether every verdict is the recorded one. */

@@ -66,7 +66,9 @@ final class SearchRun implements SearchTold {
         HazardSearch<?, ?, ?> search = search();
         Optional<Find> find = search.search(Duration.ofSeconds(seconds), () -> false);
         if (find.isEmpty()) {
-            console.out().println(texts.text("search.nothing", topic, method, seconds, seed));
+            long tried = search.inputsTried();
+            console.out()
+                    .println(texts.text("search.nothing", topic, method, seconds, seed, tried));
             return ExitCode.DONE;
         }
         tell(find.get(), json);

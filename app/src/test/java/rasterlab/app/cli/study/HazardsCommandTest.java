@@ -88,7 +88,7 @@ class HazardsCommandTest {
 
     @Test
     void pageHasEveryVerdictWithTheCommandThatRepeatsIt(@TempDir Path folder) throws Exception {
-        Path file = folder.resolve("rotate.html");
+        Path file = folder.resolve("new").resolve("rotate.html");
         Ran.lab("hazards", "rotate", "--html", file.toString(), "--lang", "ru").assertDone();
         String page = Files.readString(file);
         assertTrue(page.contains("<html lang=\"ru\">"), "its language");
@@ -99,6 +99,16 @@ class HazardsCommandTest {
                 assertTrue(page.contains(typed), typed);
             }
         assertTrue(page.contains("<img alt="), "a picture of what is wrong");
+    }
+
+    @Test
+    void searchThatFindsNothingSaysHowManyInputsItTried() {
+        Ran none = Ran.lab("hazards", "line", "--search", "bresenham", "--seconds", "1");
+        none.assertDone();
+        assertTrue(
+                none.out()
+                        .matches("line bresenham: nothing found in 1 s among [1-9].* inputs .*\\R"),
+                none.out());
     }
 
     @Test

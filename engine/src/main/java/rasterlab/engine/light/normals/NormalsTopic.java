@@ -99,7 +99,7 @@ public final class NormalsTopic implements Topic<VertexNormals, TriangleSurface,
         double[] is = actual.coordinates();
         for (int at = 0; at < right.length; at += 3) {
             double error = distance(right, is, at);
-            if (error > 0 && first.isEmpty())
+            if (error > worst && worst <= CORRECT)
                 first =
                         "normal of vertex %d is %s, right is %s"
                                 .formatted(at / 3, text(is, at), text(right, at));
