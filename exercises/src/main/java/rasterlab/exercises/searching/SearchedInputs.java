@@ -3,15 +3,18 @@ package rasterlab.exercises.searching;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.IntNode;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.study.Call;
 import rasterlab.engine.study.Format;
@@ -20,6 +23,7 @@ import rasterlab.engine.study.Workload;
 import rasterlab.exercises.document.OwnJson;
 import rasterlab.exercises.json.JsonSink;
 import rasterlab.exercises.json.StrictJson;
+import rasterlab.exercises.searching.TreeParts.Place;
 
 /** Makes inputs of a topic of trees, and trees of inputs. */
 final class SearchedInputs<C, I, O> {
@@ -32,9 +36,13 @@ final class SearchedInputs<C, I, O> {
     /** Items that are left of an array. */
     private static final int FEW = 6;
 
+    /** Arrays that cannot be cut: after so many no other is tried. */
+    private static final int MOST_UNCUT = 3;
+
     private final Topic<C, I, O> topic;
     private final Format<C, I, O> format;
     private final Call<C> call;
+    private int uncut;
 
     SearchedInputs(Topic<C, I, O> topic, String method, C implementation) {
         this.topic = topic;
@@ -102,10 +110,14 @@ final class SearchedInputs<C, I, O> {
      * Twice, for references the other way.
      */
     private void cut(JsonNode tree) {
-        for (int pass = 0; pass < 2; pass++) cut(tree, tree);
+        for (int pass = 0; pass < 2; pass++) {
+            uncut = 0;
+            cut(tree, tree);
+        }
     }
 
     private void cut(JsonNode tree, JsonNode part) {
+        if (uncut == MOST_UNCUT) return;
         if (part instanceof ArrayNode array && array.size() > FEW) shorten(tree, array);
         var inner = new ArrayList<JsonNode>();
         part.forEach(inner::add);
@@ -123,7 +135,33 @@ final class SearchedInputs<C, I, O> {
             if (read(tree).isPresent()) return;
         }
         array.removeAll();
+        array.addAll(whole.subList(0, FEW));
+        if (fold(tree, array)) return;
+        array.removeAll();
         array.addAll(whole);
+        uncut++;
+    }
+
+    /**
+     * Lets the whole numbers outside an array refer to the items that it has left, if that is an
+     * input: what was item 8 of 6 becomes item 2.
+     */
+    private boolean fold(JsonNode tree, ArrayNode array) {
+        Set<JsonNode> inside = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (Place number : new TreeParts(array).numbers()) inside.add(number.parent());
+        int items = array.size();
+        List<Place> beyond =
+                new TreeParts(tree)
+                        .numbers().stream()
+                                .filter(number -> !inside.contains(number.parent()))
+                                .filter(number -> number.value().isInt())
+                                .filter(number -> number.value().intValue() >= items)
+                                .toList();
+        List<JsonNode> before = beyond.stream().map(Place::value).toList();
+        for (Place number : beyond) number.put(IntNode.valueOf(number.value().intValue() % items));
+        if (read(tree).isPresent()) return true;
+        for (int i = 0; i < before.size(); i++) beyond.get(i).put(before.get(i));
+        return false;
     }
 
     private JsonNode treeOrNull(I input) {

@@ -88,7 +88,7 @@ class PlanCommandTest {
     void proofKnowsThePlanItself() {
         Ran english = plan("vase", "--tolerance", "1", "--levels", "8", "--prove");
         english.assertDone();
-        assertTrue(english.out().contains("  light: specular left out\n"), english.out());
+        assertTrue(english.out().contains("light: specular left out\n"), english.out());
         boolean itself = english.out().contains("is the plan itself");
         assertFalse(itself && english.out().contains("times as much"), english.out());
         Ran russian = plan("vase", "--tolerance", "0.5", "--levels", "8", "--lang", "ru");

@@ -10,12 +10,14 @@ import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.VertexNormals;
+import rasterlab.engine.transform.Images;
 
 class VertexNormalsTest {
     private static final NormalsTopic TOPIC = new NormalsTopic();
@@ -131,5 +133,15 @@ class VertexNormalsTest {
 
     private static VertexNormals method(String name) {
         return TOPIC.method(name).implementation();
+    }
+
+    @Test
+    @DisplayName("what is wrong is told of a vertex that is only rounded")
+    void firstDifferenceIsOneThatCounts() {
+        var surface = new TriangleSurface(new double[] {0, 0, 0, 1, 0, 0}, new int[0]);
+        var exact = new Images(new double[] {0, 0.5, 0, 0, 0, 1}, 3);
+        var rounded = new Images(new double[] {0, Math.nextUp(0.5), 0, 0, 1, 0}, 3);
+        String said = TOPIC.compare(surface, exact, rounded).first();
+        assertTrue(said.startsWith("normal of vertex 1 is"), said);
     }
 }
