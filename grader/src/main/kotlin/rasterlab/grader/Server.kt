@@ -45,6 +45,8 @@ import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.clones
 import rasterlab.grader.rules.exerciseRules
+import rasterlab.grader.similarity.Similar
+import rasterlab.grader.similarity.similarity
 import rasterlab.grader.storage.Database
 import rasterlab.grader.student.StudentRecords
 import rasterlab.grader.student.studentRecords
@@ -114,6 +116,7 @@ class Server(
     private val records = StudentRecords(database, clock)
     private val live = Live()
     private val submissions = Submissions(database)
+    private val similar = Similar(database)
     private val reports = Reports(database)
     private val results = Results(submissions, reports, live, exercises, rules, clock)
     private val intake = Intake(database, settings.intake, clock)
@@ -143,6 +146,7 @@ class Server(
             choices,
             queue,
             results,
+            similar,
             live,
             isolation,
             clock,
@@ -188,6 +192,7 @@ class Server(
                     clones(courses, clones)
                     studentRecords(records, exercises::ending)
                     hints(exercises, hints, courses)
+                    similarity(exercises, similar)
                     submissions(exercises, intake, queue, choices)
                     results(results, live)
                 }

@@ -131,6 +131,8 @@ private suspend fun ApplicationCall.respondDesk(
             attributes["data-fragment"] = "/instructor/latest"
             latest(texts, exercises, submissions)
         }
+        h2 { +texts.say("similar.heading") }
+        similarLinks(texts, exercises)
         h2 { +texts.say("instructor.hints") }
         if (hints.isEmpty()) p { +texts.say("instructor.hints.none") } else hintTable(texts, exercises, hints)
     }

@@ -17,6 +17,7 @@ import rasterlab.grader.hint.Hints
 import rasterlab.grader.report.Results
 import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.similarity.Similar
 import rasterlab.grader.student.StudentRecords
 import rasterlab.grader.submission.Choices
 import rasterlab.grader.submission.GradingQueue
@@ -39,6 +40,7 @@ fun Route.pages(
     choicePages(accounts, choices)
     hintPages(accounts, exercises, hints)
     resultPages(accounts, exercises, submissions, results)
+    similarPages(accounts, exercises, similar)
     instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
     rulesPages(accounts, courses, exercises, rules)
     rosterPages(accounts, courses, roster, submissions, marks)
@@ -63,6 +65,7 @@ class PageParts(
     val choices: Choices,
     val queue: GradingQueue,
     val results: Results,
+    val similar: Similar,
     val live: Live,
     val isolation: Isolation,
     val clock: InstantSource,
