@@ -123,6 +123,7 @@ class Intake(
             .bind("source", source)
             .bind("seed", handedSeed ?: Secrets.newSeed())
             .bind("now", clock.instant().text())
+            .bind("longAgo", (clock.instant() - LONG_WAIT).text())
             .bind("due", CourseRules.of(handle, student.id, exercise.id()).due?.text())
             .execute()
         return id
@@ -168,11 +169,23 @@ class Intake(
     ) = query.bind("student", student.id).mapTo(Int::class.javaObjectType).one()
 
     private companion object {
-        /** The round that grading has come to, or the one after this student's last. */
+        /** Who has waited so long is not overtaken by one who comes now. */
+        val LONG_WAIT: Duration = Duration.ofMinutes(1)
+
+        /**
+         * The round that grading has come to, or the one after this student's last. Where nothing waits, all begin anew:
+         * what somebody handed in before is not held against them. Nobody comes before the first of a student who has
+         * waited long.
+         */
         const val ROUND =
             """(SELECT coalesce(max(come), 0) FROM (
-                   SELECT max(round) AS come FROM submissions WHERE state = 'running'
-                   UNION ALL SELECT max(round) FROM submissions WHERE state = 'done'
+                   SELECT max(round) AS come FROM submissions WHERE state IN ('running', 'done')
+                   UNION ALL SELECT min(round) FROM submissions WHERE state = 'queued'
+                   UNION ALL SELECT max(round) + 1 FROM submissions
+                       WHERE NOT EXISTS (SELECT 1 FROM submissions WHERE state IN ('queued', 'running'))
+                   UNION ALL SELECT max(first) FROM (
+                       SELECT min(round) AS first FROM submissions
+                       WHERE state = 'queued' AND received_at <= :longAgo GROUP BY student_id) AS firsts
                    UNION ALL SELECT max(round) + 1 FROM submissions WHERE student_id = :student) AS rounds)"""
 
         /** The cost of the hints that were shown to the student by now. */

@@ -12,6 +12,7 @@ import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.storage.Database
 import java.nio.file.Path
+import java.time.Duration
 import java.time.Instant
 import java.time.InstantSource
 
@@ -22,7 +23,8 @@ class TurnsTest {
     private lateinit var database: Database
     private lateinit var leases: Leases
     private lateinit var students: ClassOfStudents
-    private val clock = InstantSource { Instant.parse("2026-03-29T00:59:59Z") }
+    private var now = Instant.parse("2026-03-29T00:59:59Z")
+    private val clock = InstantSource { now }
     private val names = mutableMapOf<String, String>()
 
     @BeforeEach
@@ -62,6 +64,33 @@ class TurnsTest {
             if (order.last() == "Cyd") names[students.handIn(cyd)] = "Cyd"
         }
         assertEquals(listOf("Ada 1", "Bob", "Cyd", "Ada 2", "Bob"), order)
+    }
+
+    @Test
+    @DisplayName("who handed in often before anybody waited comes after all who hand in for the first time")
+    fun earlierWorkIsNotHeldAgainstAnybody() {
+        val (ada, bob, cyd, dan) = listOf("Ada", "Bob", "Cyd", "Dan").map(students::student)
+        repeat(3) {
+            names[students.handIn(ada)] = "Ada"
+            graded()
+        }
+        listOf(bob to "Bob", ada to "Ada", cyd to "Cyd", dan to "Dan").forEach { (student, name) ->
+            names[students.handIn(student)] = name
+        }
+        assertEquals(listOf("Bob", "Ada", "Cyd", "Dan"), List(4) { graded() })
+    }
+
+    @Test
+    @DisplayName("one newcomer after the other overtakes who has waited for more than a minute")
+    fun whoHasWaitedLongIsNotOvertaken() {
+        val (ada, bob, cyd) = listOf("Ada", "Bob", "Cyd").map(students::student)
+        names[students.handIn(ada)] = "Ada 1"
+        names[students.handIn(bob)] = "Bob"
+        assertEquals("Ada 1", graded())
+        names[students.handIn(ada)] = "Ada 2"
+        now += Duration.ofSeconds(61)
+        names[students.handIn(cyd)] = "Cyd"
+        assertEquals(listOf("Bob", "Ada 2", "Cyd"), List(3) { graded() })
     }
 
     @Test
