@@ -17,7 +17,12 @@ public final class BigAxis {
     private final BigDecimal sinByLength;
     private final BigDecimal cos;
 
+    /**
+     * @throws IllegalArgumentException if the direction is zero
+     */
     public BigAxis(double[] through, double[] direction, double degrees) {
+        if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0)
+            throw new IllegalArgumentException("direction must not be zero, got (0, 0, 0)");
         this.through = big(through);
         u = big(direction);
         square = dot(u, u).round(DIGITS);

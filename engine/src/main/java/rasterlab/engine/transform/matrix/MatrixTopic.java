@@ -86,7 +86,13 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
 
     @Override
     public double[][] exact(MatrixCall call, int limit) {
-        return ExactMatrices.of(call.name(), call.parameters()).toDoubles();
+        try {
+            return ExactMatrices.of(call.name(), call.parameters()).toDoubles();
+        } catch (ArithmeticException none) {
+            // where there is no matrix, the formula tells which parameter is why
+            NamedMatrices.named(call.name()).rows(call.parameters());
+            throw none;
+        }
     }
 
     @Override
