@@ -1,13 +1,13 @@
 package rasterlab.app.practice;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import rasterlab.exercises.predicting.Question;
 
 /**
- * The answers so far to a sheet that is handed in. Nothing that is right shows in it.
+ * The answers so far to a sheet that is handed in.
  *
  * @param answers one for each question; a missing node, or one with nulls, where none is given
  */
@@ -40,21 +40,11 @@ record Graded(List<JsonNode> answers) {
         return at;
     }
 
-    /** The steps that the sheet shows, and those before a question as they were answered. */
-    List<JsonNode> steps(PracticeSheet sheet, int at) {
-        Question now = sheet.question(at);
-        var steps = new ArrayList<>(now.before().subList(0, now.rules().shown()));
-        for (int i = 0; i < at; i++) {
-            Question one = sheet.question(i);
-            if (!one.input().equals(now.input()) || !has(sheet, i)) continue;
-            ObjectNode step = one.told();
-            one.rules().asked().forEach(each -> step.set(each.field(), answer(one, each.field())));
-            steps.add(step);
-        }
-        return steps;
-    }
-
-    private JsonNode answer(Question one, String field) {
-        return answers.get(one.number() - 1).path(field);
+    /** The answer to a question, judged; empty where it has none. */
+    Optional<Answered> judged(PracticeSheet sheet, int at) {
+        if (!has(sheet, at)) return Optional.empty();
+        Question question = sheet.question(at);
+        JsonNode answer = answers.get(at);
+        return Optional.of(new Answered(question, answer, question.isRight(answer)));
     }
 }

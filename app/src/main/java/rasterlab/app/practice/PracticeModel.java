@@ -63,7 +63,7 @@ public final class PracticeModel implements AutoCloseable {
         draw(PracticeState.LEFT.drawing(topic, seeds.getAsLong()));
     }
 
-    /** Asks the questions of a sheet that is handed in; nothing is told of the answers. */
+    /** Asks the questions of a sheet that is handed in. */
     public void answer(GradedSheet sheet) {
         graded = Optional.of(sheet);
         var asked = new PracticeSheet(sheet.exercise(), sheet.begun().sheet());
@@ -113,10 +113,11 @@ public final class PracticeModel implements AutoCloseable {
     }
 
     /**
-     * Judges an answer to the present question and goes on from the right one; of a sheet that is
-     * handed in it takes the answer unjudged.
+     * Judges an answer to the present question and goes on from the right one; in a sheet that is
+     * handed in the answer stays.
      *
-     * @param tolerance the largest error of a number, if more than the exercise's own
+     * @param tolerance the largest error of a number, if more than the exercise's own; none in a
+     *     sheet that is handed in
      */
     void answer(JsonNode answer, double tolerance) {
         if (!state.isAsking()) return;
@@ -134,7 +135,7 @@ public final class PracticeModel implements AutoCloseable {
     /** Goes on where the walk rests; behind the last question to fresh data. */
     void next() {
         if (!state.resting()) return;
-        if (state.isThrough()) newData();
+        if (state.isThrough() && state.graded().isEmpty()) newData();
         else publish(state.next());
     }
 

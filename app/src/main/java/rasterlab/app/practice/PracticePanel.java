@@ -45,6 +45,9 @@ final class PracticePanel extends JPanel implements Settling, Helped {
             new JPanel(new MigLayout("insets 0, gap 8 8", "[grow,fill][]", ""));
     private final JPanel graded =
             new JPanel(new MigLayout("insets 0, gap 8 8", "[grow,fill][grow,fill]", ""));
+    /** Whether the sheet's open steps were told since the state changed last. */
+    private boolean warned;
+
     private final AnswerForm form;
     private final VerdictPane verdict;
     private final PracticeStage stage;
@@ -103,7 +106,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         parts.add(practised);
         graded.add(button("before", () -> model.turn(-1)));
         graded.add(button("after", () -> model.turn(1)), "wrap");
-        graded.add(button("handIn", model::handIn), "span 2");
+        graded.add(button("handIn", this::handIn), "span 2");
         parts.add(graded);
         return parts;
     }
@@ -217,6 +220,19 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         return new StepText(topic, texts.locale());
     }
 
+    /** Asks once more where steps have no answer yet. */
+    private void handIn() {
+        PracticeState state = model.state();
+        PracticeSheet sheet = state.asked().orElseThrow();
+        int open = sheet.size() - state.graded().orElseThrow().given(sheet);
+        if (open == 0 || warned) {
+            model.handIn();
+            return;
+        }
+        warned = true;
+        verdict.tell(texts.text("handIn.open", open));
+    }
+
     private void next() {
         model.next();
         focusPicture();
@@ -224,6 +240,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
 
     /** Shows the model's present state. */
     void refresh() {
+        warned = false;
         PracticeState state = model.state();
         boolean handed = state.graded().isPresent();
         score.setText(
@@ -261,7 +278,6 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         Optional<Board> board = sketch.map(each -> each.of(walked(state)));
         boolean other = shown.filter(now::equals).isEmpty();
         if (other) form.show(topic, now, board);
-        if (other) state.answer().ifPresent(form::set);
         if (other) model.refusal().map(NotTaken::typed).ifPresent(form::set);
         place(board.isPresent());
         board.ifPresent(drawn -> stage.show(drawn, isOtherWalk(now), state.isAsking()));
@@ -269,7 +285,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         hint.setVisible(state.isAsking() && !hint.getText().isEmpty());
         form.showAsking(state.isAsking());
         answer.setVisible(state.isAsking());
-        next.setVisible(state.resting());
+        next.setVisible(state.resting() && (state.graded().isEmpty() || !state.isThrough()));
         next.setText(texts.label(state.isThrough() ? "again" : "next"));
         verdict.setVisible(state.last().isPresent());
         state.last().ifPresent(last -> verdict.show(last, topic));

@@ -16,7 +16,8 @@ import rasterlab.exercises.predicting.Question;
  * @param seed of the questions
  * @param asked the questions; empty while they are drawn
  * @param at the present one, from 0
- * @param resting whether the walk of the present one has ended with its answer, which is still seen
+ * @param resting whether the present one is answered and still seen: its walk has ended, or it is
+ *     one of a sheet that is looked at again
  * @param last the answer given last to these questions
  * @param right answers that were right since the mode was entered
  * @param given answers since then
@@ -50,16 +51,8 @@ record PracticeState(
 
     /** A sheet to be answered and handed in, at its first question without an answer. */
     static PracticeState of(PracticeSheet sheet, Graded answers) {
-        return new PracticeState(
-                Optional.of(sheet.exercise().topic()),
-                sheet.sheet().seed(),
-                Optional.of(sheet),
-                answers.firstOpen(sheet),
-                false,
-                Optional.empty(),
-                0,
-                0,
-                Optional.of(answers));
+        int at = answers.firstOpen(sheet);
+        return seen(sheet, answers, at, answers.judged(sheet, at));
     }
 
     /** The question that is seen: to be answered, unless the walk rests. */
@@ -79,7 +72,6 @@ record PracticeState(
 
     /** The steps that are made, with the right one where the walk rests. */
     List<JsonNode> steps() {
-        if (graded.isPresent()) return graded.get().steps(asked.orElseThrow(), at);
         Question question = question();
         return resting
                 ? Stream.concat(question.before().stream(), Stream.of(question.step())).toList()
@@ -139,30 +131,45 @@ record PracticeState(
                 Optional.empty());
     }
 
-    /** The earlier answer to the present question of a sheet that is handed in. */
-    Optional<ObjectNode> answer() {
-        return graded.filter(answers -> answers.has(asked.orElseThrow(), at))
-                .map(answers -> (ObjectNode) answers.answers().get(at));
-    }
-
-    /** Takes an answer to a sheet that is handed in, and goes on to the next question. */
+    /**
+     * Takes an answer to a sheet that is handed in, which stays. As in practice, it is judged at
+     * once, and the walk goes on from the right step.
+     */
     PracticeState noted(JsonNode answer) {
+        PracticeSheet sheet = asked.orElseThrow();
         Graded changed = graded.orElseThrow().with(at, answer);
-        return at(at, Optional.of(changed)).at(at + 1);
+        boolean goesOn = sheet.sameWalk(at, at + 1);
+        return seen(sheet, changed, goesOn ? at + 1 : at, changed.judged(sheet, at));
     }
 
-    /** Another question of a sheet that is handed in; beyond its ends the one there. */
+    /**
+     * Another question of a sheet that is handed in, as far as its first one without an answer: a
+     * later one would tell what is right there.
+     */
     PracticeState at(int other) {
-        int last = asked.orElseThrow().size() - 1;
-        return at(Math.max(0, Math.min(last, other)), graded);
+        PracticeSheet sheet = asked.orElseThrow();
+        Graded answers = graded.orElseThrow();
+        int next = Math.max(0, Math.min(answers.firstOpen(sheet), other));
+        return seen(sheet, answers, next, answers.judged(sheet, next));
     }
 
-    private PracticeState at(int other, Optional<Graded> answers) {
+    private static PracticeState seen(
+            PracticeSheet sheet, Graded answers, int at, Optional<Answered> told) {
         return new PracticeState(
-                topic, seed, asked, other, false, Optional.empty(), right, given, answers);
+                Optional.of(sheet.exercise().topic()),
+                sheet.sheet().seed(),
+                Optional.of(sheet),
+                at,
+                answers.has(sheet, at),
+                told,
+                0,
+                0,
+                Optional.of(answers));
     }
 
     PracticeState next() {
-        return at(at + 1, Optional.empty());
+        if (graded.isPresent()) return at(at + 1);
+        return new PracticeState(
+                topic, seed, asked, at + 1, false, Optional.empty(), right, given, graded);
     }
 }

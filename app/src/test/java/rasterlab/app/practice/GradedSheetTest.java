@@ -65,15 +65,37 @@ class GradedSheetTest {
     }
 
     @Test
-    void aWrongAnswerIsShownAsTheStepAndNothingRightIsTold() {
+    void aWrongAnswerIsToldAndTheWalkGoesOnFromTheRightStep() {
         begin("predict-line");
+        Question asked = question();
         ObjectNode wrong = wrong();
         model.answer(wrong, 0);
         List<JsonNode> steps = model.state().steps();
-        assertEquals(wrong, steps.get(steps.size() - 1));
-        assertEquals(Optional.empty(), model.state().last());
-        assertEquals(Optional.empty(), model.state().wrong());
+        assertEquals(asked.step(), steps.get(steps.size() - 1));
+        assertFalse(model.state().last().orElseThrow().right());
+        assertEquals(Optional.of(wrong), model.state().wrong());
         assertEquals(0, model.state().given(), "it is not practice");
+    }
+
+    @Test
+    void anAnswerStaysOnceItIsJudged() {
+        begin("predict-line");
+        ObjectNode wrong = wrong();
+        model.answer(wrong, 0);
+        model.turn(-1);
+        model.answer(question().right(), 0);
+        assertEquals(1, kept.size());
+        assertEquals(wrong, model.state().last().orElseThrow().answer());
+    }
+
+    @Test
+    void aLaterQuestionWhichTellsWhatIsRightWaitsForItsTurn() {
+        begin("predict-line");
+        model.turn(3);
+        assertEquals(0, model.state().at());
+        model.answer(question().right(), 0);
+        model.turn(3);
+        assertEquals(1, model.state().at());
     }
 
     @Test
@@ -103,7 +125,7 @@ class GradedSheetTest {
         model.turn(-1);
         assertEquals(
                 question().right().get("x").intValue(),
-                model.state().answer().orElseThrow().get("x").intValue());
+                model.state().last().orElseThrow().answer().get("x").intValue());
         model.turn(-5);
         assertEquals(0, model.state().at());
     }
@@ -124,7 +146,10 @@ class GradedSheetTest {
     void theLastAnswerHandsNothingInByItself() {
         begin("predict-line");
         int size = model.state().asked().orElseThrow().size();
-        for (int i = 0; i < size; i++) model.answer(question().right(), 0);
+        for (int i = 0; i < size; i++) {
+            model.answer(question().right(), 0);
+            model.next();
+        }
         assertEquals(List.of(), handedIn);
         assertEquals(size - 1, model.state().at());
         model.handIn();
@@ -169,6 +194,7 @@ class GradedSheetTest {
                                                     .figures()
                                                     .isEmpty()));
             model.answer(question().right(), 0);
+            model.next();
         }
         HandedAnswers handed = HandedAnswers.of(exercise, kept.get(size - 1));
         for (int i = 0; i < size; i++)

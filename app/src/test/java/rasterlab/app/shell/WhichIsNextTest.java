@@ -309,7 +309,7 @@ class WhichIsNextTest {
     }
 
     @Test
-    void aSheetIsAnsweredInItsLabWithoutAVerdict() throws InterruptedException {
+    void aSheetIsAnsweredInItsLabAndHandedInWhenOpenStepsWereTold() throws InterruptedException {
         Exercise exercise = Catalogue.builtIn().named("predict-line");
         HandedAnswers begun = HandedAnswers.of(exercise, SheetText.open(exercise, 5));
         List<String> shown = new ArrayList<>();
@@ -326,12 +326,15 @@ class WhichIsNextTest {
                     type(lab, "y", 90);
                     press(lab, "practice.answer");
                 });
-        assertTrue(search(line(), "practice.verdict").isEmpty(), "nothing is judged");
+        assertEquals("✗ Неверно", text("practice.verdict"));
         assertTrue(search(line(), "practice.newData").isEmpty(), "the data are given");
         assertEquals("Ответов: 1 из 16", text("practice.score"));
         assertEquals("Шаг 2 из 16", text("practice.position"));
         inLine(lab -> press(lab, "practice.before"));
-        assertEquals("90", find(line(), "practice.x", JTextField.class).getText());
+        assertTrue(text("practice.why").contains("90"), text("practice.why"));
+        inLine(lab -> press(lab, "practice.handIn"));
+        assertEquals(List.of("line"), shown);
+        assertTrue(text("practice.why").startsWith("Шагов без ответа: 15."), text("practice.why"));
         inLine(lab -> press(lab, "practice.handIn"));
         assertEquals(List.of("line", "exercises"), shown);
         assertTrue(search(line(), "practice.stage").isEmpty(), "the lab is seen again");
