@@ -22,8 +22,8 @@ import rasterlab.exercises.score.Disclosure;
         name = "list",
         mixinStandardHelpOptions = true,
         description = {
-            "Lists the exercises, each with its topic, kind, points, usual minutes and cases, and the",
-            "lab that prepares for it.",
+            "Lists the exercises of the course.",
+            "Tells of each its topic, kind, points, usual minutes and cases, and the lab that prepares.",
         },
         footer = {"", "Example: ./lab exercises list"})
 final class ExercisesListCommand implements Callable<Integer> {

@@ -27,8 +27,8 @@ import rasterlab.exercises.topic.TopicGradings;
         name = "new",
         mixinStandardHelpOptions = true,
         description = {
-            "Makes the folder of an exercise to begin with, which `./lab exercises validate` takes:",
-            "cases of the topic's hazards, texts in English and Russian, a starter, a model solution.",
+            "Makes the folder of a new exercise to begin with.",
+            "It is valid: cases of the topic's hazards, texts in both languages, starter and model.",
             "Of the kinds break and predict it is a copy of the course's own exercise on the topic.",
         },
         exitCodeListHeading = "%nExit codes:%n",

@@ -25,10 +25,10 @@ import rasterlab.exercises.runner.JudgeSettings.Speed;
         name = "prove",
         mixinStandardHelpOptions = true,
         description = {
-            "Tries on each exercise the right methods of its topic, which must keep all points, its",
-            "faulty methods and mutants, each of which a case must reject and name, the starter, which",
-            "must earn next to nothing, and the model solution. Prints who was rejected by what; of",
-            "several, which are proved in parallel, the speed of the model solution is not measured.",
+            "Proves that exercises tell right programs from wrong ones.",
+            "Right methods and the model solution must keep all points, the starter must earn next to",
+            "nothing, and a case must reject and name each faulty method and mutant. Prints what rejected",
+            "which. Several are proved in parallel, without the speed of the model solution.",
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
