@@ -173,6 +173,16 @@ public interface TopicGrading {
         }
 
         /**
+         * Whether a wrong answer comes by a slip of the topic, also where a mistake of another kind
+         * gives the same answer.
+         *
+         * @param slip its code
+         */
+        default boolean comesBySlip(String slip, Answer answer) {
+            return false;
+        }
+
+        /**
          * The mistake of a method that does nothing, where the answer may be one of such: nothing
          * sent or changed, nothing but zeros. Empty for any other answer.
          */

@@ -113,13 +113,14 @@ final class ClipDecision {
     static Message onPolygon(JsonNode input) {
         List<double[]> window = points(input.path("window"));
         List<double[]> polygon = points(input.path("polygon"));
+        double inside = turn(window);
         List<String> beyond = new ArrayList<>();
         for (int i = 0; i < window.size(); i++) {
             double[] from = window.get(i);
             double[] to = window.get((i + 1) % window.size());
             List<Integer> outside =
                     IntStream.range(0, polygon.size())
-                            .filter(corner -> side(from, to, polygon.get(corner)) < 0)
+                            .filter(corner -> inside * side(from, to, polygon.get(corner)) < 0)
                             .mapToObj(corner -> corner + 1)
                             .toList();
             if (outside.size() == polygon.size())
@@ -140,7 +141,15 @@ final class ClipDecision {
         return corners.stream().map(String::valueOf).collect(joining(", "));
     }
 
-    /** The value is above 0 where the point lies to the left of the line, where the window is. */
+    /** 1 for a window whose corners go counter-clockwise, −1 for one where they go clockwise. */
+    private static double turn(List<double[]> window) {
+        double twiceArea = 0;
+        for (int i = 2; i < window.size(); i++)
+            twiceArea += side(window.get(0), window.get(i - 1), window.get(i));
+        return Math.signum(twiceArea);
+    }
+
+    /** The value is above 0 where the point lies to the left of the line. */
     private static double side(double[] from, double[] to, double[] point) {
         return (to[0] - from[0]) * (point[1] - from[1]) - (to[1] - from[1]) * (point[0] - from[0]);
     }

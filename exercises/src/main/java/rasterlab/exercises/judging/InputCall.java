@@ -186,6 +186,12 @@ final class InputCall<C, I, O> implements Call {
 
     @Override
     @SuppressWarnings("unchecked") // recorded by this class
+    public boolean comesBySlip(String slip, Answer answer) {
+        return answer.output().filter(one -> known.comesBySlip(slip, (O) one)).isPresent();
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // recorded by this class
     public boolean comesBy(String change, Answer answer) {
         return answer.output().map(output -> known.comesBy(change, (O) output)).orElse(true);
     }

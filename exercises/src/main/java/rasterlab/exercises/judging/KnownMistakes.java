@@ -111,6 +111,14 @@ final class KnownMistakes<C, I, O> {
         return changes.stream().map(List::of).toList();
     }
 
+    /** Whether a wrong answer comes by the topic's slip of that name. */
+    boolean comesBySlip(String name, O actual) {
+        return topic.slips(asked()).stream()
+                .filter(one -> one.name().equals(name))
+                .flatMap(this::answers)
+                .anyMatch(sameAs(actual));
+    }
+
     /** Whether a wrong answer comes by that change of the right one. */
     boolean comesBy(String change, O actual) {
         O wanted = right.apply(actual);

@@ -109,12 +109,14 @@ final class SharedCause {
         return right.stream().allMatch(call -> call.call().isRightWith(cause.code()));
     }
 
+    /** A slip is looked for anew where a mistake of another kind gives the same answer. */
     private boolean explainAll(List<Cause> causes) {
         return wrong.stream()
                 .allMatch(
                         call ->
-                                call.finding().explanations().stream()
-                                        .anyMatch(causes::containsAll));
+                                call.finding().explanations().stream().anyMatch(causes::containsAll)
+                                        || causes.size() == 1
+                                                && call.comesBySlip(causes.get(0).code()));
     }
 
     /** Whether the call has those causes by an explanation out of the given ones. */

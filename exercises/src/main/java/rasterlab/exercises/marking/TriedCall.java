@@ -55,6 +55,11 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
                 : List.of();
     }
 
+    /** Whether the wrong answer comes by that slip. */
+    boolean comesBySlip(String slip) {
+        return answer.filter(one -> call.comesBySlip(slip, one)).isPresent();
+    }
+
     /** Whether the answer, right or wrong, fits a program that changes every right one so. */
     boolean fits(String change) {
         if (right()) return call.isRightWith(change);

@@ -8,6 +8,8 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.engine.raster.Pixel;
@@ -123,6 +125,14 @@ class DecisionsTest {
         Message said = Decisions.of("clip-polygon", json(input), none, Differing.WHOLE);
         assertEquals(told, said.in("en"));
         assertTrue(said.in("ru").matches("(?s).*[а-я].*"), said.in("ru"));
+    }
+
+    @Test
+    @DisplayName("the inside of a window whose corners go clockwise is taken for its outside")
+    void theWindowMayGoClockwise() throws JsonProcessingException {
+        String input = "{\"window\":[[0,8],[8,8],[8,0],[0,0]],\"polygon\":[[1,1],[7,1],[4,6]]}";
+        Message said = Decisions.of("clip-polygon", json(input), json("{}"), Differing.WHOLE);
+        assertTrue(said.in("en").startsWith("no vertex of the polygon lies beyond"), said.in("en"));
     }
 
     @ParameterizedTest(name = "the depths that decide on pixel ({0}, {1}) are others")
