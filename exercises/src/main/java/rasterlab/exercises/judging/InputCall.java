@@ -105,7 +105,10 @@ final class InputCall<C, I, O> implements Call {
                         .orElseGet(() -> own.isEmpty() ? known.of(actual) : own);
         if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
         O beside = grading.beside(input, right, actual, demand, causes);
-        Message differs = grading.difference(input, beside, actual);
+        Message differs =
+                refusal()
+                        .map(why -> Message.of("refusal.wanted", why))
+                        .orElseGet(() -> grading.difference(input, beside, actual));
         Message said = differs.and(decided(beside, actual, differs));
         // where several mistakes that are known give this answer, none of them is told
         boolean sure =
@@ -121,6 +124,19 @@ final class InputCall<C, I, O> implements Call {
             said = said.and(alike(further.get(), told));
         return new Finding(
                 GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
+    }
+
+    /** Why the right method refuses the input; empty where it has a right answer. */
+    private Optional<String> refusal() {
+        if (!demand.mayRefuse()) return Optional.empty();
+        try {
+            topic().record(grading.whole(grading.plain()), input, topic().mostItems());
+            return Optional.empty();
+        } catch (LimitReached answered) {
+            return Optional.empty();
+        } catch (IllegalArgumentException refused) {
+            return Optional.of(refused.getMessage());
+        }
     }
 
     /** One answer alone does not tell whether all come by a change of the right ones. */

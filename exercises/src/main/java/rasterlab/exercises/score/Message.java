@@ -55,6 +55,7 @@ public record Message(List<Sentence> sentences) {
                     "answer.engine",
                     "answer.unusable",
                     "break.refuses",
+                    "refusal.wanted",
                     "break.all-refuse",
                     "break.crashes",
                     "timed.refused");

@@ -78,6 +78,26 @@ class IdleProgramTest {
         assertEquals(said, tried.marking.shared().in("en"));
     }
 
+    @ParameterizedTest(name = "{0}: an answer is compared where a refusal was asked for, {1}")
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            spline-function | equal-knots | an IllegalArgumentException was to be thrown here: x[
+            spline-function | equal-knots | здесь надо было выбросить IllegalArgumentException: x[
+            """)
+    void aRefusalThatWasAskedForIsTold(String id, String name, String said) throws Exception {
+        TriedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
+        Message told =
+                tried.marking.reports().stream()
+                        .filter(one -> one.name().equals(name))
+                        .findFirst()
+                        .orElseThrow()
+                        .said();
+        String language = said.startsWith("an ") ? "en" : "ru";
+        assertTrue(told.in(language).startsWith(said), told.in(language));
+    }
+
     @Test
     void aMethodThatSendsNothingOnSomeInputsKeepsItsMistake() {
         Object mutant =
