@@ -19,7 +19,7 @@ import javax.tools.SimpleJavaFileObject
 import javax.tools.ToolProvider
 
 /**
- * What a program says at one place, whatever things are called there.
+ * A token says what a program does at one place, whatever things are called there.
  *
  * @param kind of the node in the compiler's syntax tree
  * @param line where it begins, from 1
@@ -82,7 +82,7 @@ object SourceTokens {
             if (tree is BlockTree) add("END", positions.getEndPosition(unit, tree) - 1)
         }
 
-        /** What the compiler has added itself, as a constructor, stands at no place. */
+        /** A node that the compiler has added itself, such as a constructor, stands at no place. */
         private fun add(
             kind: String,
             position: Long,
