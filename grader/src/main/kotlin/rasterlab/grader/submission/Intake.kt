@@ -174,13 +174,15 @@ class Intake(
 
         /**
          * The round that grading has come to, or the one after this student's last. Where nothing waits, all begin anew:
-         * what somebody handed in before is not held against them. Nobody comes before the first of a student who has
-         * waited long.
+         * what somebody handed in before is not held against them. Who comes first in a round keeps their place before
+         * those who come later, and nobody comes before the first of a student who has waited long.
          */
         const val ROUND =
             """(SELECT coalesce(max(come), 0) FROM (
                    SELECT max(round) AS come FROM submissions WHERE state IN ('running', 'done')
-                   UNION ALL SELECT min(round) FROM submissions WHERE state = 'queued'
+                   UNION ALL SELECT max(round) FROM submissions AS first
+                       WHERE state = 'queued' AND NOT EXISTS (SELECT 1 FROM submissions AS before
+                           WHERE before.student_id = first.student_id AND before.round = first.round - 1)
                    UNION ALL SELECT max(round) + 1 FROM submissions
                        WHERE NOT EXISTS (SELECT 1 FROM submissions WHERE state IN ('queued', 'running'))
                    UNION ALL SELECT max(first) FROM (
