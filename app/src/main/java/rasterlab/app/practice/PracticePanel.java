@@ -45,6 +45,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
             new JPanel(new MigLayout("insets 0, gap 8 8", "[grow,fill][]", ""));
     private final JPanel graded =
             new JPanel(new MigLayout("insets 0, gap 8 8", "[grow,fill][grow,fill]", ""));
+
     /** Whether the sheet's open steps were told since the state changed last. */
     private boolean warned;
 
