@@ -73,7 +73,7 @@ public record Regime(List<String> methods, int from, int to) {
                 .toList();
     }
 
-    /** Those that the quickest of them is not told to be faster than, itself among them. */
+    /** The methods that the quickest one is not told to be faster than, itself among them. */
     private static List<String> best(Ranking ranking, List<Integer> accurate) {
         int quickest = accurate.get(0);
         return names(

@@ -47,7 +47,7 @@ class Alike(
             .groupBy({ it.first }, { it.second })
     private val few = maxOf(FEW, programs.distinctBy { it.student }.size / SHARE_OF_FEW)
 
-    /** Those that are no Java, or too short to have a fingerprint. */
+    /** The programs that are no Java, or too short to have a fingerprint. */
     val leftOut: List<Program> = programs.filter { prints.getValue(it).hashes.isEmpty() }
 
     /**

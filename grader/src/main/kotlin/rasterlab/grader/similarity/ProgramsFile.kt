@@ -30,7 +30,7 @@ internal object ProgramsFile {
 
     private fun quoted(text: String) = "\"${text.replace("\"", "\"\"")}\""
 
-    /** By the submission's id, since names of students are no names of files. */
+    /** The path has the submission's id, since names of students are no names of files. */
     private fun path(one: HandedProgram) = "submissions/${one.submission}/Program.java"
 
     private fun ZipOutputStream.add(
