@@ -65,11 +65,14 @@ final class BorderTrial<C, I, O> {
         }
     }
 
-    /** The right answer, or empty where the reference has to divide by 0: there is none. */
+    /**
+     * The right answer, or empty where there is none: the reference has to divide by 0, or refuses
+     * to.
+     */
     private Optional<Right<O>> right(I input) {
         try {
             return Optional.of(cut(input));
-        } catch (ArithmeticException e) {
+        } catch (ArithmeticException | IllegalArgumentException e) {
             return Optional.empty();
         }
     }

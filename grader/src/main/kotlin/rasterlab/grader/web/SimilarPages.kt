@@ -8,6 +8,7 @@ import kotlinx.html.FlowContent
 import kotlinx.html.ThScope
 import kotlinx.html.a
 import kotlinx.html.code
+import kotlinx.html.details
 import kotlinx.html.div
 import kotlinx.html.h2
 import kotlinx.html.li
@@ -15,6 +16,7 @@ import kotlinx.html.ol
 import kotlinx.html.p
 import kotlinx.html.section
 import kotlinx.html.span
+import kotlinx.html.summary
 import kotlinx.html.table
 import kotlinx.html.tbody
 import kotlinx.html.td
@@ -68,9 +70,12 @@ fun Route.similarPages(
 fun FlowContent.similarLinks(
     texts: PageTexts,
     exercises: Exercises,
-) = ul {
-    exercises.all.filter { it.form() == Exercise.Form.WRITE }.forEach {
-        li { a("/instructor/exercises/${it.id()}/similarity") { +it.title(texts.language) } }
+) = details {
+    summary { +texts.say("similar.choose") }
+    ul {
+        exercises.all.filter { it.form() == Exercise.Form.WRITE }.forEach {
+            li { a("/instructor/exercises/${it.id()}/similarity") { +it.title(texts.language) } }
+        }
     }
 }
 
@@ -158,7 +163,7 @@ private fun FlowContent.programSource(
     p { +"${one.course}, ${one.receivedAt.forPeople()} UTC" }
     ol("source") {
         one.source.removeSuffix("\n").lineSequence().forEachIndexed { index, line ->
-            li("alike".takeIf { index + 1 in alike }) {
+            li("in-both".takeIf { index + 1 in alike }) {
                 if (index + 1 in alike) span("unseen") { +"${texts.say("similar.alike")}: " }
                 code { +line }
             }

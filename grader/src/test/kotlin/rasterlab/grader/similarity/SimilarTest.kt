@@ -79,7 +79,7 @@ class SimilarTest {
             assertTrue(address in list, list)
             val beside = page(address)
             assertEquals(2, Regex("<li><code>// &lt;[bi]&gt;</code>").findAll(beside).count(), beside)
-            assertEquals(2, Regex("<li class=\"alike\">").findAll(beside).count(), beside)
+            assertEquals(2, Regex("<li class=\"in-both\">").findAll(beside).count(), beside)
             assertTrue("open-case, hidden-case" in beside, beside)
         }
 
