@@ -66,6 +66,7 @@ public final class SourceEditor extends JPanel {
         area.setFocusTraversalKeys(
                 KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS,
                 Set.of(KeyStroke.getKeyStroke("shift F6")));
+        ClosingBrace.in(area);
         area.addParser(notices);
         scroll.setIconRowHeaderEnabled(true);
         scroll.setName("source.scroll");

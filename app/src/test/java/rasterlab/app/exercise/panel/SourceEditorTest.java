@@ -4,8 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.stream.Stream;
+import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -38,6 +42,29 @@ class SourceEditorTest {
         assertEquals(width(fresh), width(changed), "in a window");
         fresh.close();
         changed.close();
+    }
+
+    @Test
+    @DisplayName(
+            "over a selection, a closing brace stands behind the one that the editor has put in")
+    void aClosingBraceIsTypedOnce() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    var editor = new SourceEditor(text -> {});
+                    editor.wear(Texts.of("exercise", Language.ENGLISH));
+                    editor.show("line", Form.BREAK, "old");
+                    var area = (JTextArea) named(editor, "source").orElseThrow();
+                    area.selectAll();
+                    type(area, "{\"a\": [1]}");
+                    assertEquals("{\"a\": [1]}", area.getText());
+                    editor.close();
+                });
+    }
+
+    private static void type(JTextArea area, String text) {
+        for (char each : text.toCharArray())
+            SwingUtilities.processKeyBindings(
+                    new KeyEvent(area, KeyEvent.KEY_TYPED, 0, 0, KeyEvent.VK_UNDEFINED, each));
     }
 
     private static SourceEditor editor(int points) {
