@@ -40,6 +40,7 @@ import rasterlab.grader.storage.Database
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.nio.file.Path
+import java.sql.DriverManager
 import java.time.InstantSource
 import java.util.Optional
 import javax.net.ssl.SSLContext
@@ -275,3 +276,15 @@ fun assertProblem(
     assertEquals(status.toString(), problem.text("status"))
     check(problem.text("detail").isNotBlank() && "Exception" !in body && "\tat " !in body) { "not for people: $body" }
 }
+
+/** The first value that a connection of its own reads from the database, as another process would. */
+fun query(
+    file: Path,
+    sql: String,
+): String =
+    DriverManager.getConnection("jdbc:sqlite:$file").use { connection ->
+        connection.createStatement().executeQuery(sql).run {
+            next()
+            getString(1)
+        }
+    }

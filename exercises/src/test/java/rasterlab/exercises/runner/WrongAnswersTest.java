@@ -112,6 +112,20 @@ class WrongAnswersTest {
                         "is NaN, right is ",
                         "NaN"),
                 of(
+                        "a segment to infinity",
+                        "clip-segment",
+                        "out.segment(x0, y0, Double.POSITIVE_INFINITY, y1);",
+                        "wrong",
+                        "is Infinity, right is ",
+                        "Infinity"),
+                of(
+                        "a segment that begins at minus infinity",
+                        "clip-segment",
+                        "out.segment(Double.NEGATIVE_INFINITY, y0, x1, y1);",
+                        "wrong",
+                        "is -Infinity, right is ",
+                        "-Infinity"),
+                of(
                         "a sink of nobody",
                         "clip-segment",
                         "((SegmentSink) null).segment(x0, y0, x1, y1);",

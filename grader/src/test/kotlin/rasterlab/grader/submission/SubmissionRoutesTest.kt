@@ -21,9 +21,9 @@ import rasterlab.grader.bearer
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.query
 import rasterlab.grader.text
 import java.nio.file.Path
-import java.sql.DriverManager
 
 class SubmissionRoutesTest {
     @TempDir
@@ -218,17 +218,5 @@ class SubmissionRoutesTest {
                 "pictures",
                 "scene",
             )
-
-        /** Asks the database through a connection of its own, as another process would read it. */
-        fun query(
-            file: Path,
-            sql: String,
-        ): String =
-            DriverManager.getConnection("jdbc:sqlite:$file").use { connection ->
-                connection.createStatement().executeQuery(sql).run {
-                    next()
-                    getString(1)
-                }
-            }
     }
 }

@@ -1,0 +1,101 @@
+package rasterlab.grader.course
+
+import io.ktor.client.request.get
+import io.ktor.client.request.header
+import io.ktor.client.request.post
+import io.ktor.client.request.setBody
+import io.ktor.client.statement.bodyAsText
+import io.ktor.http.HttpHeaders
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
+import rasterlab.grader.Classroom
+import rasterlab.grader.Visit
+import rasterlab.grader.assertProblem
+import rasterlab.grader.cookieOf
+import rasterlab.grader.field
+import rasterlab.grader.json
+import rasterlab.grader.query
+import java.nio.file.Path
+
+/** Attacks by names and by tokens: a name is a value, and who is out stays out. */
+@Tag("slow")
+class NameAttacksTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @ParameterizedTest(name = "a student is called {0}")
+    @ValueSource(
+        strings = [
+            "'); DROP TABLE students;--", "' OR '1'='1", "%", "_", "Robert\\\\' UNION SELECT token FROM tokens",
+            "<script>alert(1)</script>", "😀🎓😀🎓😀🎓😀🎓😀🎓😀🎓",
+        ],
+    )
+    fun aNameIsAValue(name: String) =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            newStudent(course)
+            assertEquals(201, join(course, name).status.value)
+            assertEquals(setOf("Ada", name.replace("\\\\", "\\")), names().toSet(), "names of the course")
+        }
+
+    @Test
+    @DisplayName("a name of a megabyte is read to its end, or stored")
+    fun aMegabyteIsNoName() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            join(course, "x".repeat(1_000_000)).assertProblem(413, "too-large")
+            join(course, "😀".repeat(81)).assertProblem(422, "bad-name")
+            assertEquals(emptyList<String>(), names())
+        }
+
+    @Test
+    @DisplayName("a cookie that was kept from before the sign-out opens a page")
+    fun aCookieEndsWithTheSignOut() =
+        Classroom(folder).open(grades = false) {
+            val cookie = cookieOf(newStudent())
+
+            suspend fun status() = client.get("/exercises/draw-dot") { header(HttpHeaders.Cookie, cookie) }.status.value
+            assertEquals(200, status())
+            client.post("/sign-out") {
+                header(HttpHeaders.Cookie, cookie)
+                header(HttpHeaders.Host, "localhost")
+                header(HttpHeaders.Origin, "http://localhost")
+                header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
+                setBody("")
+            }
+            assertEquals(401, status(), "the cookie lives on")
+        }
+
+    @ParameterizedTest(name = "a token is altered: {0}")
+    @ValueSource(strings = ["upper case", "cut", "longer", "unsigned JWT"])
+    fun anAlteredTokenOpensNothing(how: String) =
+        Classroom(folder).open(grades = false) {
+            val token = newStudent()
+            val altered =
+                when (how) {
+                    "upper case" -> token.uppercase()
+                    "cut" -> token.dropLast(1)
+                    "longer" -> token + "a"
+                    else -> "eyJhbGciOiJub25lIn0.eyJyb2xlIjoiaW5zdHJ1Y3RvciJ9."
+                }
+            look(altered, "/api/v1/exercises").assertProblem(401, "not-signed-in")
+        }
+
+    private suspend fun Visit.join(
+        course: String,
+        name: String,
+    ) = client.post("/api/v1/join") { json("""{"course":"$course","name":"$name"}""") }
+
+    private suspend fun Visit.names(): List<String> {
+        val course = query(folder.resolve("test.db"), "SELECT id FROM courses")
+        val students = look(instructor, "/api/v1/courses/$course/students").bodyAsText()
+        return Json.parseToJsonElement(students).jsonArray.map { it.field("name") }
+    }
+}
