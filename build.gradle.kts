@@ -18,6 +18,9 @@ subprojects {
 
     // Letters that are typed in Greek script; \alpha and the like need none of it, and its fonts are not free.
     configurations.all { exclude(group = "org.scilab.forge", module = "jlatexmath-font-greek") }
+    // axe-core brings a loader of drivers and all of Selenium; the driver that is installed is used.
+    configurations.all { exclude(group = "io.github.bonigarcia", module = "webdrivermanager") }
+    configurations.all { exclude(group = "org.seleniumhq.selenium", module = "selenium-java") }
 
     // The floor is language level 17; any newer JDK builds it too, so no toolchain is asked for.
     tasks.withType<JavaCompile>().configureEach {

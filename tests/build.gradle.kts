@@ -23,6 +23,7 @@ dependencies {
     testImplementation(libs.assertj.swing.junit)
     testImplementation(libs.selenium.chrome.driver)
     testImplementation(libs.selenium.support)
+    testImplementation(libs.axe.core.selenium)
 }
 
 application {

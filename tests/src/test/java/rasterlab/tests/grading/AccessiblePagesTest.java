@@ -1,0 +1,141 @@
+package rasterlab.tests.grading;
+
+import static java.util.stream.Collectors.joining;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.deque.html.axecore.selenium.AxeBuilder;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.openqa.selenium.Dimension;
+
+/**
+ * The pages have no serious finding of axe-core: contrast, names for readers that speak, order of
+ * headings, labels of fields. Each is looked at wide and narrow, light and dark.
+ */
+@Tag("slow")
+class AccessiblePagesTest {
+    private static final Set<String> SERIOUS = Set.of("serious", "critical");
+
+    @TempDir private static Path folder;
+    private static ServerProcess server;
+    private static GraderClient instructor;
+    private static String code;
+
+    @TempDir private Path profile;
+
+    @BeforeAll
+    static void startServer() throws Exception {
+        server = ServerProcess.start(folder.resolve("course"));
+        instructor = GraderClient.of(server.address(), server.token());
+        code = instructor.post("/courses", "{\"name\":\"Graphics\"}").path("code").asText();
+    }
+
+    @AfterAll
+    static void stopServer() throws IOException {
+        server.close();
+    }
+
+    @ParameterizedTest(name = "{0}, {1}, {2} pixels wide")
+    @CsvSource({"en, light, 1280", "ru, dark, 1280", "ru, light, 390", "en, dark, 390"})
+    void studentPagesHaveNoSeriousFinding(String language, String scheme, int width)
+            throws Exception {
+        try (Browser browser = Browser.open(profile, language)) {
+            dress(browser, scheme, width);
+            List<String> findings = new ArrayList<>(findings(browser, "/"));
+            browser.fill("course", code);
+            browser.fill("name", "Ada");
+            browser.element("form[action='/join'] button").click();
+            browser.element("code.token");
+            findings.addAll(findings(browser, "the new token"));
+            for (String page :
+                    List.of(
+                            "/exercises",
+                            "/exercises/line-bresenham",
+                            "/exercises/break-clip-segment",
+                            "/exercises/predict-circle")) findings.addAll(findings(browser, page));
+            browser.driver().get(address("/exercises/line-bresenham"));
+            browser.element("textarea[name=source]").sendKeys(Solutions.source(Solutions.WRONG));
+            browser.element("form[action='/exercises/line-bresenham'] button").click();
+            browser.text("#live .verdict .status.wrong");
+            findings.addAll(findings(browser, "a result"));
+            assertEquals(List.of(), findings);
+        }
+    }
+
+    @ParameterizedTest(name = "{0}, {1}, {2} pixels wide")
+    @CsvSource({"en, light, 1280", "ru, dark, 390"})
+    void instructorPagesHaveNoSeriousFinding(String language, String scheme, int width)
+            throws Exception {
+        instructor.post("/join", "{\"course\":\"" + code + "\",\"name\":\"Emmy\"}");
+        try (Browser browser = Browser.open(profile, language)) {
+            dress(browser, scheme, width);
+            browser.driver().get(address("/"));
+            browser.fill("token", server.token());
+            browser.element("form[action='/sign-in'] button").click();
+            browser.element("form[action='/sign-out']");
+            List<String> findings = new ArrayList<>();
+            for (String page : pagesOf(browser)) findings.addAll(findings(browser, page));
+            assertEquals(List.of(), findings);
+        }
+    }
+
+    /** The pages that the instructor's own page leads to, and that one, one of each kind. */
+    private static List<String> pagesOf(Browser browser) {
+        browser.driver().get(address("/instructor"));
+        List<String> pages = new ArrayList<>(List.of("/instructor"));
+        @SuppressWarnings("unchecked")
+        List<String> links =
+                (List<String>)
+                        browser.driver()
+                                .executeScript(
+                                        "return [...document.querySelectorAll('main a[href]')]"
+                                                + ".map(a => a.getAttribute('href'))");
+        for (String link : links)
+            if (link.startsWith("/instructor") && !link.contains(".") && !pages.contains(link))
+                pages.add(link);
+        return pages;
+    }
+
+    private static void dress(Browser browser, String scheme, int width) {
+        browser.driver().manage().window().setSize(new Dimension(width, 1000));
+        browser.driver()
+                .executeCdpCommand(
+                        "Emulation.setEmulatedMedia",
+                        Map.of(
+                                "features",
+                                List.of(Map.of("name", "prefers-color-scheme", "value", scheme))));
+    }
+
+    private static String address(String path) {
+        return server.address().resolve(path).toString();
+    }
+
+    /** What axe-core finds on that page, or on the one that is open where it is no path. */
+    private static List<String> findings(Browser browser, String page) {
+        if (page.startsWith("/")) browser.driver().get(address(page));
+        return new AxeBuilder()
+                .analyze(browser.driver()).getViolations().stream()
+                        .filter(one -> SERIOUS.contains(one.getImpact()))
+                        .map(
+                                one ->
+                                        page
+                                                + ": "
+                                                + one.getHelp()
+                                                + ": "
+                                                + one.getNodes().stream()
+                                                        .map(node -> node.getHtml())
+                                                        .limit(3)
+                                                        .collect(joining(" ")))
+                        .toList();
+    }
+}
