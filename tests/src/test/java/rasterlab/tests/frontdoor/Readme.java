@@ -7,9 +7,10 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import rasterlab.tests.Repository;
 
-/** The texts of the README, in English and in Russian, and of CONTRIBUTING.md. */
+/** The README, the page on exercises beside it, each in two languages, and CONTRIBUTING.md. */
 final class Readme {
-    static final List<String> NAMES = List.of("README.md", "README.ru.md");
+    /** The pages that users read, in English; each has a Russian one beside it. */
+    static final List<String> PAGES = List.of("README.md", "exercises/README.md");
 
     private static final Pattern BLOCK = Pattern.compile("(?m)^```sh\\R(.*?)^```", Pattern.DOTALL);
     private static final Pattern ANY_BLOCK =
@@ -18,20 +19,20 @@ final class Readme {
 
     private Readme() {}
 
-    static String text() {
-        return text("README.md");
+    static String russian(String page) {
+        return page.replaceFirst("\\.md$", ".ru.md");
     }
 
     static String text(String name) {
         return Repository.text(Repository.root().resolve(name));
     }
 
-    /** The lines of its blocks for a shell, without what they say after a #. */
+    /** The commands of all pages. */
     static List<String> commands() {
-        return commands(text());
+        return PAGES.stream().flatMap(page -> commands(text(page)).stream()).toList();
     }
 
-    /** The same of another text. */
+    /** The lines of a text's blocks for a shell, without what they say after a #. */
     static List<String> commands(String text) {
         var commands = new ArrayList<String>();
         var blocks = BLOCK.matcher(text);

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.Test;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,20 +22,27 @@ class ReadmeTest {
             Pattern.compile("(?m)^```json\\R(.*?)^```", Pattern.DOTALL);
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]*)(#[^)]*)?\\)");
 
-    static List<String> names() {
-        return Readme.NAMES;
+    static List<String> pages() {
+        return Readme.PAGES;
+    }
+
+    static List<String> inBothLanguages() {
+        return Readme.PAGES.stream()
+                .flatMap(page -> Stream.of(page, Readme.russian(page)))
+                .toList();
     }
 
     @ParameterizedTest
-    @MethodSource("names")
+    @MethodSource("inBothLanguages")
     void everyLinkLeadsSomewhere(String name) {
+        var page = Repository.root().resolve(name);
         var broken = new ArrayList<String>();
         var links = LINK.matcher(Readme.text(name));
         while (links.find()) {
-            var target = links.group(1).isEmpty() ? name : links.group(1);
+            var target = links.group(1);
             var anchor = links.group(2);
             if (target.startsWith("http")) continue;
-            var file = Repository.root().resolve(target);
+            var file = target.isEmpty() ? page : page.resolveSibling(target);
             if (!Files.exists(file)) broken.add(target);
             else if (anchor != null && !anchors(Repository.text(file)).contains(anchor))
                 broken.add(target + anchor);
@@ -53,7 +60,7 @@ class ReadmeTest {
     }
 
     @ParameterizedTest
-    @MethodSource("names")
+    @ValueSource(strings = {"README.md", "README.ru.md"})
     void theSceneFileIsReadAndSaysEverything(String name) {
         var block = SCENE_FILE.matcher(Readme.text(name));
         assertTrue(block.find(), name + " shows no scene file");
@@ -65,36 +72,42 @@ class ReadmeTest {
                         name + ": show " + setting + " in the scene file");
     }
 
-    @Test
-    void bothLanguagesHaveTheSameCommands() {
+    @ParameterizedTest
+    @MethodSource("pages")
+    void bothLanguagesHaveTheSameCommands(String page) {
         assertEquals(
-                Readme.commands(),
-                Readme.commands(Readme.text("README.ru.md")),
-                "README.ru.md must have the commands of README.md, in the same order");
+                Readme.commands(Readme.text(page)),
+                Readme.commands(Readme.text(Readme.russian(page))),
+                Readme.russian(page)
+                        + " must have the commands of the English page, in the same order");
     }
 
-    @Test
-    void bothLanguagesNameTheSameFieldsFilesAndOptions() {
-        var english = Readme.codes(Readme.text());
-        var russian = Readme.codes(Readme.text("README.ru.md"));
+    @ParameterizedTest
+    @MethodSource("pages")
+    void bothLanguagesNameTheSameFieldsFilesAndOptions(String page) {
+        var english = Readme.codes(Readme.text(page));
+        var russian = Readme.codes(Readme.text(Readme.russian(page)));
         var missing = new TreeSet<>(english);
         missing.removeAll(russian);
         assertEquals(
                 new TreeSet<>(),
                 missing,
-                "name these in README.ru.md, or take them out of README.md");
+                "name these in the Russian page, or take them out of " + page);
         var extra = new TreeSet<>(russian);
         extra.removeAll(english);
         assertEquals(
                 new TreeSet<>(),
                 extra,
-                "name these in README.md, or take them out of README.ru.md");
+                "name these in " + page + ", or take them out of the Russian page");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"## .*", "!\\[.*", "```.*", "curl .*"})
-    void bothLanguagesHaveAsMany(String line) {
-        var russian = Readme.count(Readme.text("README.ru.md"), line);
-        assertEquals(Readme.count(Readme.text(), line), russian, "lines like " + line);
+    @MethodSource("pages")
+    void bothLanguagesHaveAsManyHeadingsPicturesAndBlocks(String page) {
+        for (var line : List.of("##+ .*", "!\\[.*", "```.*", "curl .*"))
+            assertEquals(
+                    Readme.count(Readme.text(page), line),
+                    Readme.count(Readme.text(Readme.russian(page)), line),
+                    page + ": lines like " + line);
     }
 }

@@ -99,8 +99,12 @@ class GlossaryTest {
 
     private static List<Path> texts() throws IOException {
         var texts = new ArrayList<Path>();
-        for (String name : List.of("README.md", "README.ru.md"))
-            texts.add(Repository.root().resolve(name));
+        for (String name :
+                List.of(
+                        "README.md",
+                        "README.ru.md",
+                        "exercises/README.md",
+                        "exercises/README.ru.md")) texts.add(Repository.root().resolve(name));
         for (String module : Repository.MODULES) {
             Path resources = Repository.root().resolve(module).resolve("src/main/resources");
             if (!Files.exists(resources)) continue;
