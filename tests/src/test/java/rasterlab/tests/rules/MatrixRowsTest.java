@@ -6,7 +6,9 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.ExpressionTree;
+import com.sun.source.tree.MethodInvocationTree;
 import com.sun.source.tree.NewClassTree;
+import com.sun.source.tree.Tree;
 import com.sun.source.util.JavacTask;
 import com.sun.source.util.TreeScanner;
 import com.sun.source.util.Trees;
@@ -17,6 +19,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
@@ -33,12 +36,15 @@ class MatrixRowsTest {
     /** How many numbers a row has, by the numbers of the whole matrix. */
     private static final Map<Integer, Integer> ROW = Map.of(16, 4, 9, 3);
 
+    /** Methods that fill a matrix with as many numbers, in order of rows. */
+    private static final Set<String> FILLS = Set.of("set", "setTransposed", "rows");
+
     @Test
     void matricesStandAsRows() throws IOException {
         var files = new ArrayList<Path>();
         for (Path file : Repository.sources(".java"))
             if (Repository.root().relativize(file).toString().contains("/src/main/"))
-                if (Repository.text(file).contains("new Matrix")) files.add(file);
+                if (Repository.text(file).contains("Matrix")) files.add(file);
         assertTrue(files.size() > 5, "no matrices were found to look at");
         try (var manager =
                 ToolProvider.getSystemJavaCompiler().getStandardFileManager(null, null, null)) {
@@ -56,7 +62,11 @@ class MatrixRowsTest {
         return Stream.of(
                 argumentSet("a row has two lines", "1, 2, //\n3, 4, 5, 6, //\n7, 8, 9", false),
                 argumentSet("all rows are one line", "1, 2, 3, 4, 5, 6, 7, 8, 9", false),
-                argumentSet("rows are not seen", "1, 2, 3, //\n4, f(5), 6, //\n7, 8, 9", true));
+                argumentSet("rows are not seen", "1, 2, 3, //\n4, f(5), 6, //\n7, 8, 9", true),
+                argumentSet(
+                        "numbers of a call are not seen",
+                        "m.set(1, 2, 3, 4, 5, 6, 7, 8, 9)",
+                        false));
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
@@ -83,18 +93,31 @@ class MatrixRowsTest {
                     new TreeScanner<Void, Void>() {
                         @Override
                         public Void visitNewClass(NewClassTree made, Void nothing) {
-                            Integer width = ROW.get(made.getArguments().size());
-                            if (width != null && made.getIdentifier().toString().contains("Matrix"))
-                                if (!stands(unit, made.getArguments(), width, Trees.instance(task)))
-                                    wrong.add(place(unit, made, task) + ": " + made);
+                            if (made.getIdentifier().toString().contains("Matrix"))
+                                look(made, made.getArguments());
                             return super.visitNewClass(made, nothing);
+                        }
+
+                        @Override
+                        public Void visitMethodInvocation(MethodInvocationTree call, Void nothing) {
+                            String name = call.getMethodSelect().toString();
+                            if (FILLS.contains(name.substring(name.lastIndexOf('.') + 1)))
+                                look(call, call.getArguments());
+                            return super.visitMethodInvocation(call, nothing);
+                        }
+
+                        private void look(Tree tree, List<? extends ExpressionTree> numbers) {
+                            Integer width = ROW.get(numbers.size());
+                            if (width != null
+                                    && !stands(unit, numbers, width, Trees.instance(task)))
+                                wrong.add(place(unit, tree, task) + ": " + tree);
                         }
                     },
                     null);
         return wrong;
     }
 
-    private static String place(CompilationUnitTree unit, NewClassTree made, JavacTask task) {
+    private static String place(CompilationUnitTree unit, Tree made, JavacTask task) {
         long at = Trees.instance(task).getSourcePositions().getStartPosition(unit, made);
         return unit.getSourceFile().getName() + ":" + unit.getLineMap().getLineNumber(at);
     }
