@@ -1,6 +1,6 @@
 package rasterlab.engine.pipeline;
 
-import java.util.Optional;
+import java.lang.ref.SoftReference;
 import java.util.stream.IntStream;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.sight.LightWork;
@@ -21,7 +21,9 @@ import rasterlab.engine.sight.cost.Costs;
  */
 final class AutoVisibility {
     private final Costs costs = Costs.measured();
-    private Optional<SightFacts> known = Optional.empty();
+
+    /** Given up where memory is short, and the scene with it. */
+    private SoftReference<SightFacts> known = new SoftReference<>(null);
 
     /** The choice for a request that may name a method itself. */
     Choice of(RenderRequest request) {
@@ -77,8 +79,10 @@ final class AutoVisibility {
     }
 
     private synchronized SightFacts facts(RequestView seen) {
-        if (known.isEmpty() || !known.get().of(seen.scene()))
-            known = Optional.of(new SightFacts(seen.scene()));
-        return known.get();
+        SightFacts kept = known.get();
+        if (kept != null && kept.of(seen.scene())) return kept;
+        var facts = new SightFacts(seen.scene());
+        known = new SoftReference<>(facts);
+        return facts;
     }
 }

@@ -1,8 +1,8 @@
 package rasterlab.engine.pipeline.direct;
 
+import java.lang.ref.SoftReference;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.direct.Batches.Batch;
@@ -22,7 +22,9 @@ import rasterlab.engine.scene.TriangleMesh;
 public final class DirectPicture implements AutoCloseable {
     private final TrianglePipeline pipeline;
     private float[] depths = {};
-    private Optional<PackedScene> known = Optional.empty();
+
+    /** Given up where memory is short: the scene that is packed need not be in use any more. */
+    private SoftReference<PackedScene> known = new SoftReference<>(null);
 
     /**
      * @param pipeline draws for this alone, and ends with it
@@ -76,9 +78,11 @@ public final class DirectPicture implements AutoCloseable {
     /** Packs the faces again only where the scene or what is told apart has changed. */
     private PackedScene packed(FaceLights lights, DirectLook look) {
         boolean apart = look.light() == DirectLook.Light.FACES || lights.twoSided();
-        if (known.isEmpty() || !known.get().holds(lights.scene(), apart))
-            known = Optional.of(new PackedScene(lights.scene(), apart));
-        return known.get();
+        PackedScene kept = known.get();
+        if (kept != null && kept.holds(lights.scene(), apart)) return kept;
+        var packed = new PackedScene(lights.scene(), apart);
+        known = new SoftReference<>(packed);
+        return packed;
     }
 
     /** Which faces have their light worked out at each pixel. */

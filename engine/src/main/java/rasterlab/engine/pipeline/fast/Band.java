@@ -45,6 +45,12 @@ final class Band {
         Arrays.fill(depth, first - depthStart, end - depthStart, DepthRaster.FARTHEST);
     }
 
+    /** Drops the picture. */
+    void end() {
+        argb = null;
+        depth = own;
+    }
+
     /** The row after the last one. */
     int bottom() {
         return Math.min(top + TriangleScan.ROWS, height);

@@ -23,6 +23,12 @@ final class BandStage {
         if (frame.surface instanceof Surface.PerPixel) pixels.flush();
     }
 
+    /** Drops what belongs to the frame that has been drawn. */
+    void end() {
+        band.end();
+        pixels.end();
+    }
+
     private void drawEach(FrameState frame, TriangleChunk chunk, int from, int end) {
         int[] corners = chunk.corners;
         for (int i = 3 * from; i < 3 * end; i += 3) {

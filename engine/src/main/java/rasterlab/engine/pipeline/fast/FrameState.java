@@ -45,9 +45,7 @@ final class FrameState {
         this.mesh = mesh;
         this.view = view;
         this.surface = surface;
-        if (this.picture == null
-                || this.picture.width() != picture.width()
-                || this.picture.height() != picture.height())
+        if (subpixels == null || !subpixels.of(picture.width(), picture.height()))
             subpixels = new Subpixels(picture.width(), picture.height());
         this.picture = picture;
         this.depth = depth;
@@ -59,6 +57,15 @@ final class FrameState {
         clips = false;
         anyBeyond = false;
         bands = (picture.height() + TriangleScan.ROWS - 1) / TriangleScan.ROWS;
+    }
+
+    /** Drops what the caller gave, so that a scene can be freed once it is drawn. */
+    void end() {
+        mesh = null;
+        view = null;
+        surface = null;
+        picture = null;
+        depth = null;
     }
 
     private boolean needs(VertexQuantity quantity) {

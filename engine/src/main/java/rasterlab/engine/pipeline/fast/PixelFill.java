@@ -70,6 +70,11 @@ final class PixelFill {
         if (divides) growing[firstFlat] = batch.nearness;
     }
 
+    /** Drops the frame's colours. */
+    void end() {
+        colors = null;
+    }
+
     /**
      * @param third the vertex that has the colour of a flat triangle
      */

@@ -36,6 +36,11 @@ final class Subpixels {
         halfHeight = height * (ONE / 2.0);
     }
 
+    /** Whether these are the steps of a picture of that size. */
+    boolean of(int width, int height) {
+        return halfWidth == width * (ONE / 2.0) && halfHeight == height * (ONE / 2.0);
+    }
+
     int x(double ndcX) {
         return WholeNumbers.lowestBits((ndcX + 1) * halfWidth + ROUND);
     }

@@ -100,7 +100,17 @@ public final class TrianglePipeline implements AutoCloseable {
         this.cancelled = cancelled;
         frame.clears = clears;
         frame.background = background;
-        frame.begin(mesh, view, surface, out, depth);
+        try {
+            frame.begin(mesh, view, surface, out, depth);
+            runStages(mesh);
+        } finally {
+            this.cancelled = null;
+            frame.end();
+            for (Worker worker : workers) worker.bands.end();
+        }
+    }
+
+    private void runStages(TriangleMesh mesh) {
         chunkCount = Binner.chunks(mesh.triangleCount());
         int had = chunks.length;
         if (had < chunkCount) {

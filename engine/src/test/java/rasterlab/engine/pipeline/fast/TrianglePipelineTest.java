@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.ref.WeakReference;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 import org.joml.Matrix4d;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -42,24 +45,30 @@ class TrianglePipelineTest {
                 }
             };
 
-    private static final PixelColors NORMALS =
-            new PixelColors() {
-                private final Set<VertexQuantity> wants =
-                        Set.of(VertexQuantity.NORMAL_X, VertexQuantity.NORMAL_Z);
+    private static final PixelColors NORMALS = normals();
 
-                @Override
-                public Set<VertexQuantity> wants() {
-                    return wants;
-                }
+    /** Far more collections than what is not held needs to be freed. */
+    private static final int COLLECTIONS = 50;
 
-                @Override
-                public void color(PixelBatch batch) {
-                    float[] x = batch.values(VertexQuantity.NORMAL_X);
-                    float[] z = batch.values(VertexQuantity.NORMAL_Z);
-                    for (int i = 0; i < batch.count; i++)
-                        batch.argb[i] = (int) (x[i] * 127 + 128) << 8 | (int) (z[i] * 127 + 128);
-                }
-            };
+    private static PixelColors normals() {
+        return new PixelColors() {
+            private final Set<VertexQuantity> wants =
+                    Set.of(VertexQuantity.NORMAL_X, VertexQuantity.NORMAL_Z);
+
+            @Override
+            public Set<VertexQuantity> wants() {
+                return wants;
+            }
+
+            @Override
+            public void color(PixelBatch batch) {
+                float[] x = batch.values(VertexQuantity.NORMAL_X);
+                float[] z = batch.values(VertexQuantity.NORMAL_Z);
+                for (int i = 0; i < batch.count; i++)
+                    batch.argb[i] = (int) (x[i] * 127 + 128) << 8 | (int) (z[i] * 127 + 128);
+            }
+        };
+    }
 
     private static DepthRaster draw(int threads, Surface surface) {
         var out = new DepthRaster(WIDTH, HEIGHT);
@@ -122,6 +131,28 @@ class TrianglePipelineTest {
             pipeline.drawOn(7, TORUS, VIEW, surface, out, () -> false);
         }
         assertArrayEquals(draw(1, surface).raster().argb(), out.raster().argb());
+    }
+
+    @Test
+    @DisplayName("mesh, colors or picture of the last frame are held until the next is drawn")
+    void dropsWhatWasDrawn() {
+        try (var pipeline = new TrianglePipeline(2)) {
+            for (WeakReference<?> drawn : drawOnce(pipeline)) {
+                for (int k = 0; k < COLLECTIONS && drawn.get() != null; k++) System.gc();
+                Object held = drawn.get();
+                assertTrue(held == null, () -> held.getClass().getSimpleName() + " is held");
+            }
+        }
+    }
+
+    private static List<WeakReference<?>> drawOnce(TrianglePipeline pipeline) {
+        var mesh = TriangleGrid.torus(20, 10);
+        var colors = normals();
+        var out = new DepthRaster(WIDTH, HEIGHT);
+        pipeline.drawOn(7, mesh, VIEW, new Surface.PerPixel(colors), out, () -> false);
+        return Stream.of(mesh, colors, out.raster(), out.raster().argb(), out.depth())
+                .<WeakReference<?>>map(WeakReference::new)
+                .toList();
     }
 
     @Test
