@@ -59,8 +59,9 @@ public final class PlainPipeline {
             List<Vector4d> clip = clipped(transformed(clipFromEye, eye), CLIP_PLANES);
             List<Vector3d> ndc = clip.stream().map(PlainPipeline::divided).toList();
             List<Vector3d> screen = ndc.stream().map(pipeline::toScreen).toList();
-            for (int k = 2; k < screen.size(); k++) // a fan: what is left of a face is convex
-            pipeline.triangle(face, screen.get(0), screen.get(k - 1), screen.get(k));
+            // What is left of a face is convex, so triangles fill it like a fan.
+            for (int k = 2; k < screen.size(); k++)
+                pipeline.triangle(face, screen.get(0), screen.get(k - 1), screen.get(k));
         }
         return new VisibilityWork(0, pipeline.depthTests, pipeline.pixelsWritten, 0);
     }
@@ -94,10 +95,7 @@ public final class PlainPipeline {
         return new Vector3d(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
     }
 
-    /**
-     * Takes normalised coordinates to pixels, with whole numbers at their centres and y down; z
-     * stays the depth.
-     */
+    /** Takes ndc to pixels: whole numbers at their centres, y down; z stays the depth. */
     private Vector3d toScreen(Vector3d ndc) {
         double x = (ndc.x + 1) * out.width() / 2 - 0.5;
         double y = (1 - ndc.y) * out.height() / 2 - 0.5;
@@ -105,8 +103,8 @@ public final class PlainPipeline {
     }
 
     /**
-     * Asks each pixel of the corners' box whether it lies on the inner side of all three edges.
-     * Depths z / w are linear on the screen, so the edges' shares mix them.
+     * Asks each pixel of the box, a hair off its centre, whether it lies on the inner side of all
+     * three edges. Their shares mix the depths, since z / w is linear on the screen.
      */
     private void triangle(int face, Vector3d a, Vector3d b, Vector3d c) {
         double area = edge(a, b, c.x, c.y);
@@ -132,15 +130,21 @@ public final class PlainPipeline {
         return (a.x - px) * (b.y - py) - (a.y - py) * (b.x - px);
     }
 
-    /**
-     * The nearest stays, of equal depths the earlier. Its colour is the light on the face there.
-     */
+    /** Tests the depth: the nearest stays, of equal depths the earlier. */
     private void pixel(int face, int x, int y, double depth) {
         depthTests++;
         int cell = y * out.width() + x;
         if (!(depth < nearest[cell])) return;
         if (paint.opaque(face)) nearest[cell] = depth;
         pixelsWritten++;
-        paint.span(face, y, x, x + 1, out);
+        color(face, x, y);
+    }
+
+    /**
+     * Colours one pixel, the last stage: the paint lights the face there, combines that with its
+     * texture, fades it with distance and lays it over what the picture holds.
+     */
+    private void color(int face, int x, int y) {
+        paint.span(face, y, x, x + 1, out); // in row y the pixels from x to before x + 1
     }
 }
