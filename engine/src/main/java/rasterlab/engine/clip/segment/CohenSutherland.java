@@ -8,6 +8,9 @@ import rasterlab.contract.SegmentSink;
  *
  * <p>Nothing is left where the two codes share a bit; all that remains is left where both are 0.
  * New ends are computed from the segment as given, never from a moved end, so errors do not add up.
+ * The base class {@link WindowWalk} keeps what is given: the window, the segment from (x0, y0) to
+ * (x1, y1), dx = x1 − x0 and dy = y1 − y0. It also says when doubles cannot decide: a walk that is
+ * {@code unsure} stops, and the segment is clipped without rounding instead.
  *
  * <p>It ends after at most four cuts. A cut puts an end on a side and takes a bit from its code. In
  * exact arithmetic the end moves towards the other end, so each of its coordinates changes in one
@@ -15,7 +18,7 @@ import rasterlab.contract.SegmentSink;
  * side or crosses the other one, in which case the two codes share that bit; so an end is cut at
  * most once in x and once in y. The same holds here, because every code is the exact one: the
  * coordinate a cut sets is the side's own, and where the computed one is so near a side that its
- * rounding might change a bit, the segment is handed over instead.
+ * rounding might change a bit, {@link UnroundedClip} clips the segment instead.
  *
  * <p>Source: W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics, 1973, where
  * the method of D. Cohen and I. Sutherland is described.
@@ -38,7 +41,7 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             double y1,
             SegmentSink out) {
         var walk = new Walk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
-        while (walk.open()) walk.cut();
+        while (walk.advance()) continue;
         walk.send(out);
     }
 
@@ -87,68 +90,51 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             toCode = code(toX, toY);
         }
 
-        /**
-         * Which sides a point lies beyond: the signs of four differences, bit by bit. A difference
-         * of doubles has the right sign always, and that of equals is +0, none of them being −0.
-         */
+        /** Adds up the bits of the sides that a point lies beyond; 0 means inside. */
         int code(double x, double y) {
-            return columnCode(x) | rowCode(y);
+            return (x < xmin ? LEFT : 0)
+                    | (x > xmax ? RIGHT : 0)
+                    | (y < ymin ? BOTTOM : 0)
+                    | (y > ymax ? TOP : 0);
         }
 
-        private int columnCode(double x) {
-            return sign(xmax - x) * RIGHT | sign(x - xmin) * LEFT;
-        }
-
-        private int rowCode(double y) {
-            return sign(ymax - y) * TOP | sign(y - ymin) * BOTTOM;
-        }
-
-        /** 1 for what is below 0, else 0, without a branch. */
-        private static int sign(double difference) {
-            return (int) (Double.doubleToRawLongBits(difference) >>> 63);
-        }
-
-        /** Whether the codes leave something to decide, and doubles are good enough for it. */
-        boolean open() {
-            return (fromCode & toCode) == 0 && (fromCode | toCode) != 0 && !unsure();
-        }
-
+        /**
+         * Moves one outside end, the first before the second, onto the line of a side it lies
+         * beyond. There it may still lie beyond another side, which a later call cuts.
+         */
         @Override
         public boolean advance() {
-            if (!open()) return false;
-            cut();
+            boolean allInside = (fromCode | toCode) == 0;
+            boolean allBeyondOneSide = (fromCode & toCode) != 0;
+            if (allInside || allBeyondOneSide || unsure()) return false;
+            divisions++;
+            code = fromCode != 0 ? fromCode : toCode;
+            if ((code & LEFT) != 0) moveToColumn(xmin, y0 + (xmin - x0) / dx * dy);
+            else if ((code & RIGHT) != 0) moveToColumn(xmax, y0 + (xmax - x0) / dx * dy);
+            else if ((code & BOTTOM) != 0) moveToRow(x0 + (ymin - y0) / dy * dx, ymin);
+            else moveToRow(x0 + (ymax - y0) / dy * dx, ymax);
             return true;
         }
 
-        /**
-         * Moves an end onto a side; on the other axis it lies anywhere, on this one within. What
-         * {@code picked} takes is the second number where the code has the bit, else the first.
-         */
-        void cut() {
-            code = fromCode != 0 ? fromCode : toCode;
-            divisions++;
-            if ((code & (LEFT | RIGHT)) != 0) {
-                double x = picked(xmax, xmin, -(code & LEFT));
-                double y = y0 + (x - x0) / dx * dy;
-                if (near(y, ymin, ymax)) handOver();
-                move(x, y, rowCode(y));
-            } else {
-                double y = picked(ymax, ymin, -(code & BOTTOM));
-                double x = x0 + (y - y0) / dy * dx;
-                if (near(x, xmin, xmax)) handOver();
-                move(x, y, columnCode(x));
-            }
+        private void moveToColumn(double x, double y) {
+            if (near(y, ymin, ymax)) handOver(); // rounding may falsify the new code
+            moveEnd(x, y);
         }
 
-        private void move(double x, double y, int newCode) {
+        private void moveToRow(double x, double y) {
+            if (near(x, xmin, xmax)) handOver();
+            moveEnd(x, y);
+        }
+
+        private void moveEnd(double x, double y) {
             if (fromCode != 0) {
                 fromX = x;
                 fromY = y;
-                fromCode = newCode;
+                fromCode = code(x, y);
             } else {
                 toX = x;
                 toY = y;
-                toCode = newCode;
+                toCode = code(x, y);
             }
         }
 
