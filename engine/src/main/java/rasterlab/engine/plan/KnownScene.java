@@ -51,6 +51,11 @@ final class KnownScene {
 
     /** Whether this is known of a scene. */
     boolean of(Scene other) {
+        return alike(scene, other);
+    }
+
+    /** Whether a plan of one scene is a plan of another: they differ in their names at most. */
+    private static boolean alike(Scene scene, Scene other) {
         return scene == other
                 || scene.mesh() == other.mesh()
                         && scene.light().equals(other.light())
@@ -59,6 +64,15 @@ final class KnownScene {
                         && scene.backgroundRgb() == other.backgroundRgb()
                         && scene.pictureScale() == other.pictureScale()
                         && Arrays.equals(scene.finishOf(), other.finishOf());
+    }
+
+    /** Whether two pictures differ in nothing but the camera and the depths that go with it. */
+    static boolean alike(RenderRequest picture, RenderRequest other) {
+        return alike(picture.scene(), other.scene())
+                && picture.width() == other.width()
+                && picture.height() == other.height()
+                && picture.projection() == other.projection()
+                && picture.look().equals(other.look());
     }
 
     Scene scene() {

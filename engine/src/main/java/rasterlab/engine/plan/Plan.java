@@ -55,6 +55,16 @@ public record Plan(
         return least.from(camera);
     }
 
+    /** Whether another plan is of the same picture, but for the camera, and as strict. */
+    public boolean isLike(Plan other) {
+        return tolerance.equals(other.tolerance) && KnownScene.alike(full, other.full);
+    }
+
+    /** Whether anything is left out. */
+    public boolean saves() {
+        return decisions.stream().anyMatch(PlanDecision::saves);
+    }
+
     /** The largest bound of the decisions together, in levels. */
     public double predictedLevels() {
         return decisions.stream().mapToDouble(PlanDecision::levels).sum();

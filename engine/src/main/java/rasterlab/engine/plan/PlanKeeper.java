@@ -31,11 +31,7 @@ public final class PlanKeeper {
 
     /** Whether two pictures differ in nothing but a camera that the plan holds for. */
     private boolean sameBut(RenderRequest before, RenderRequest now) {
-        return before.scene() == now.scene()
-                && before.width() == now.width()
-                && before.height() == now.height()
-                && before.projection() == now.projection()
-                && before.look().equals(now.look())
+        return KnownScene.alike(before, now)
                 && kept.orElseThrow().within(now.camera())
                 && before.from(now.camera()).depth().equals(now.depth());
     }

@@ -6,6 +6,7 @@ import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.transform.SphericalView;
 
 /**
  * A plan held against the full pipeline: both are drawn in turns, and timed.
@@ -50,26 +51,43 @@ public record PlanTrial(
                     tried < TRIES
                             ? planner.plan(asked, strict)
                             : planner.nothingLeftOut(asked, tolerance);
-            PlanTrial trial = of(plan, tolerance, rounds, tried, cancelled);
+            PlanTrial trial = of(plan, asked.camera(), tolerance, rounds, tried, cancelled);
             if (trial.error.within(tolerance) || tried == TRIES) return trial;
             strict = new Tolerance(strict.pixels() / 2, strict.levels() / 2, strict.share());
         }
     }
 
+    /**
+     * Holds a plan against the full pipeline from a camera, whatever comes of it.
+     *
+     * @param camera that the plan holds for
+     * @param rounds of drawing both, at least 1
+     */
+    public static PlanTrial held(
+            Plan plan, SphericalView camera, int rounds, BooleanSupplier cancelled) {
+        return of(plan, camera, plan.tolerance(), rounds, 0, cancelled);
+    }
+
     private static PlanTrial of(
-            Plan plan, Tolerance tolerance, int rounds, int tried, BooleanSupplier cancelled) {
-        var full = new Raster(plan.full().width(), plan.full().height());
+            Plan plan,
+            SphericalView camera,
+            Tolerance tolerance,
+            int rounds,
+            int tried,
+            BooleanSupplier cancelled) {
+        RenderRequest whole = plan.full().from(camera);
+        RenderRequest little = plan.from(camera);
+        var full = new Raster(whole.width(), whole.height());
         var least = new Raster(full.width(), full.height());
-        RenderRequest little = plan.from(plan.full().camera());
         var times = new double[4][rounds];
         try (var renderer = new Renderer();
                 var alone = Renderer.onOneThread()) {
-            renderer.render(plan.full(), full, cancelled);
+            renderer.render(whole, full, cancelled);
             renderer.render(little, least, cancelled);
             for (int k = 0; k < rounds; k++) {
-                times[0][k] = wall(renderer, plan.full(), full, cancelled);
+                times[0][k] = wall(renderer, whole, full, cancelled);
                 times[1][k] = wall(renderer, little, least, cancelled);
-                times[2][k] = processor(alone, plan.full(), full, cancelled);
+                times[2][k] = processor(alone, whole, full, cancelled);
                 times[3][k] = processor(alone, little, least, cancelled);
             }
         }

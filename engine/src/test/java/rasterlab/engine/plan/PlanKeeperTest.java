@@ -27,6 +27,13 @@ class PlanKeeperTest {
     }
 
     @Test
+    void sceneThatIsMadeAnewForEachPictureKeepsItsPlan() {
+        Plan first = keeper.plan(seen(torus.zoomed(1.5), 0, 96));
+        assertSame(first, keeper.plan(seen(torus.zoomed(1.5), 0, 96)));
+        assertNotSame(first, keeper.plan(seen(torus.zoomed(1.6), 0, 96)));
+    }
+
+    @Test
     void anotherPictureIsPlannedAnew() {
         Plan first = keeper.plan(seen(torus, 0, 96));
         Plan larger = keeper.plan(seen(torus, 0, 128));
