@@ -72,10 +72,10 @@ record PlanText(PlanReport report, Texts texts) {
     private String processor(PlanTrial trial) {
         String plan = number(trial.processor());
         String full = number(trial.fullProcessor());
-        return trial.plan().decisions().stream().noneMatch(PlanDecision::saves)
-                ? texts.text("processor.same", plan, full)
-                : texts.text(
-                        "processor", plan, full, number(trial.processor() / trial.fullProcessor()));
+        return trial.plan().saves()
+                ? texts.text(
+                        "processor", plan, full, number(trial.processor() / trial.fullProcessor()))
+                : texts.text("processor.same", plan, full);
     }
 
     private void printCounts(PrintStream out, Plan plan) {

@@ -3,8 +3,11 @@ package rasterlab.app.visibility;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PictureMaker;
+import rasterlab.app.plan.least.PlanDrawing;
+import rasterlab.app.plan.least.PlannedPicture;
 import rasterlab.engine.pipeline.FaceDrawing;
 import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.plan.Tolerance;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.VisibilityWalk;
 
@@ -15,8 +18,14 @@ import rasterlab.engine.visibility.VisibilityWalk;
  * @param second by the other one
  * @param depths whether depths are shown instead of colours
  * @param steps how many steps of the method are made; {@link #ALL} for the whole picture
+ * @param tolerance within which the least picture is drawn in place of the first; empty for that
  */
-record Frame(RenderRequest first, Optional<RenderRequest> second, boolean depths, int steps) {
+record Frame(
+        RenderRequest first,
+        Optional<RenderRequest> second,
+        boolean depths,
+        int steps,
+        Optional<Tolerance> tolerance) {
     static final int ALL = Integer.MAX_VALUE;
 
     /** The colour behind depths: where no face is. */
@@ -27,9 +36,14 @@ record Frame(RenderRequest first, Optional<RenderRequest> second, boolean depths
      */
     record Pictures(Picture first, Optional<Picture> second) {}
 
-    Pictures made(PictureMaker maker, BooleanSupplier cancelled) {
+    /**
+     * @param plans draws the least picture
+     */
+    Pictures made(PictureMaker maker, PlanDrawing plans, BooleanSupplier cancelled) {
         return new Pictures(
-                picture(first, maker, cancelled),
+                tolerance.isPresent()
+                        ? least(tolerance.get(), maker, plans, cancelled)
+                        : picture(first, maker, cancelled),
                 second.map(request -> picture(request, maker, cancelled)));
     }
 
@@ -45,9 +59,24 @@ record Frame(RenderRequest first, Optional<RenderRequest> second, boolean depths
             boolean lent = depths && drawing.filter(found -> !found.keepsDepths()).isPresent();
             return lent ? picture.lentBy(FaceDrawing.USUAL_BUFFER) : picture;
         } catch (IllegalArgumentException refusal) {
-            var empty = new Raster(request.width(), request.height());
-            empty.clear(0xFF000000 | request.scene().backgroundRgb());
-            return new Picture(request, empty, 0).refused(refusal.getMessage());
+            return refused(request, refusal);
+        }
+    }
+
+    private static Picture refused(RenderRequest request, IllegalArgumentException refusal) {
+        var empty = new Raster(request.width(), request.height());
+        empty.clear(0xFF000000 | request.scene().backgroundRgb());
+        return new Picture(request, empty, 0).refused(refusal.getMessage());
+    }
+
+    private Picture least(
+            Tolerance within, PictureMaker maker, PlanDrawing plans, BooleanSupplier cancelled) {
+        long start = System.nanoTime();
+        try {
+            PlannedPicture made = plans.drawn(first, within, maker, cancelled);
+            return Picture.of(first, made, System.nanoTime() - start);
+        } catch (IllegalArgumentException refusal) {
+            return refused(first, refusal);
         }
     }
 

@@ -107,7 +107,8 @@ record StagePictures(List<Method<Visibility>> methods, Visibility own, int width
                 request(choice, choice.visibility()),
                 second(choice).map(method -> request(choice, method)),
                 choice.view() == StageView.DEPTHS,
-                watchesSteps(choice) ? step : Frame.ALL);
+                watchesSteps(choice) ? step : Frame.ALL,
+                choice.tolerance());
     }
 
     /** The whole pictures without edges, whose wrong pixels are counted. */
@@ -117,7 +118,8 @@ record StagePictures(List<Method<Visibility>> methods, Visibility own, int width
                 plain(shown, choice.visibility(), pictureWidth(choice)),
                 second(choice).map(method -> plain(shown, method, pictureWidth(choice))),
                 false,
-                Frame.ALL);
+                Frame.ALL,
+                Optional.empty());
     }
 
     /** The pixel of a picture that is nearest to that one. */

@@ -7,11 +7,14 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.canvas.work.LatestOnly;
+import rasterlab.app.plan.least.PlanDrawing;
 import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.plan.Plan;
 
 /** Finds pictures and what is told of them, each on a thread of its own. */
 final class StageWork implements AutoCloseable {
     private final PictureMaker maker;
+    private final PlanDrawing plans = new PlanDrawing();
     private final LatestOnly<Frame, Frame.Pictures> pictures;
     private final LatestOnly<Frame, Differences> differences;
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
@@ -41,8 +44,11 @@ final class StageWork implements AutoCloseable {
         pictures =
                 new LatestOnly<>(
                         "picture",
-                        (frame, cancelled) -> frame.made(maker, cancelled),
-                        (frame, made) -> events.execute(() -> told.pictures().accept(made)),
+                        (frame, cancelled) -> frame.made(maker, plans, cancelled),
+                        (frame, made) -> {
+                            made.first().planned().ifPresent(plans::shown);
+                            events.execute(() -> told.pictures().accept(made));
+                        },
                         onFailure);
         differences =
                 new LatestOnly<>(
@@ -68,6 +74,11 @@ final class StageWork implements AutoCloseable {
 
     void draw(Frame frame) {
         pictures.ask(frame);
+    }
+
+    /** Draws by that plan no more. */
+    void refute(Plan plan) {
+        plans.refute(plan);
     }
 
     void compare(Frame frame) {

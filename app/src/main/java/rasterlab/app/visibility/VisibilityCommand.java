@@ -19,10 +19,12 @@ import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
+import rasterlab.engine.plan.Tolerance;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
@@ -128,8 +130,7 @@ record VisibilityCommand(
             scene.up().filter(up -> up != UpAxis.Y).ifPresent(up -> add("--up", up.code()));
             scene.image().ifPresent(image -> add("--texture-image", ShellPath.quoted(image)));
             SphericalView camera = choice.camera();
-            add("--visibility", method);
-            add("--shading", choice.shading());
+            choice.tolerance().ifPresentOrElse(this::addPlan, () -> addMethod(method));
             add("--projection", choice.projection());
             add("--camera", camera.thetaRadians() + "," + camera.phiRadians() + "," + camera.rho());
             add("--zoom", zoom);
@@ -139,6 +140,17 @@ record VisibilityCommand(
             boolean two = !choice.comparison().isEmpty();
             add("--out", stem(scene.name()) + (two ? "-" + method : "") + ".png");
             return String.join(" ", words);
+        }
+
+        private void addMethod(String method) {
+            add("--visibility", method);
+            add("--shading", choice.shading());
+        }
+
+        private void addPlan(Tolerance within) {
+            add("--visibility", Renderer.AUTO);
+            add("--tolerance", within.pixels());
+            add("--levels", within.levels());
         }
 
         private void addLook(RenderRequest request) {

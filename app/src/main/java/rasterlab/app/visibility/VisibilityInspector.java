@@ -21,7 +21,7 @@ import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.plan.bill.BillTable;
-import rasterlab.app.plan.bill.PictureBills;
+import rasterlab.app.plan.least.LeastRows;
 import rasterlab.app.visibility.scene.SceneChoice;
 import rasterlab.app.visibility.scene.StageView;
 import rasterlab.app.visibility.scene.VisibilityChoice;
@@ -62,6 +62,7 @@ final class VisibilityInspector {
     private JLabel pixel;
     private JLabel stored;
     private final List<JLabel> values = new ArrayList<>();
+    private LeastRows least;
     private BillTable bill;
     private JLabel noBill;
     private LookControls look;
@@ -87,6 +88,7 @@ final class VisibilityInspector {
     List<Runnable> sections() {
         return List.of(
                 this::addDrawing,
+                this::addLeast,
                 this::addWrong,
                 this::addOrder,
                 this::addPixel,
@@ -109,6 +111,15 @@ final class VisibilityInspector {
                         List.of(TURN, DRAW),
                         (choice, code) -> choice.withDrawing(code.equals(DRAW)));
         edges = box("edges", shown -> model.choose(choice -> choice.withEdges(shown)));
+    }
+
+    private void addLeast() {
+        column.heading("heading.least");
+        least =
+                new LeastRows(
+                        column,
+                        texts.language(),
+                        wish -> model.choose(choice -> choice.with(wish)));
     }
 
     private void addWrong() {
@@ -152,13 +163,20 @@ final class VisibilityInspector {
         column.wide(noBill);
     }
 
-    /** Shows the newest count, or that there is none. */
-    void refresh(PictureBills bills) {
-        boolean there = bills.bill().isPresent();
-        bill.show(bills);
+    /** Shows the newest count, or that there is none, and the least picture. */
+    void refreshBills() {
+        ViewBills bills = model.bills();
+        boolean there = bills.counted().bill().isPresent();
+        bill.show(bills.counted());
         bill.setVisible(there);
         bill.getTableHeader().setVisible(there);
-        noBill.setVisible(bills.current() && !there);
+        noBill.setVisible(bills.counted().current() && !there);
+        VisibilityChoice choice = model.state().choice();
+        least.show(
+                choice.least(),
+                choice.tolerance().isPresent(),
+                model.state().picture().flatMap(Picture::planned),
+                bills.planned());
     }
 
     private void addLook() {
@@ -269,7 +287,7 @@ final class VisibilityInspector {
         refreshPixel(state, readings);
         List<String> texts = readings.view();
         for (int i = 0; i < texts.size(); i++) values.get(i).setText(texts.get(i));
-        refresh(model.bills());
+        refreshBills();
         look.refresh();
         boolean own = choice.visibility().equals(OwnMethods.NAME);
         if (own || model.methods().stream().anyMatch(one -> one.name().equals(choice.visibility())))

@@ -14,7 +14,6 @@ import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.LatestReading;
 import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.mine.OwnMethods;
-import rasterlab.app.plan.bill.PictureBills;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.visibility.scene.Cameras;
 import rasterlab.app.visibility.scene.OpenedFiles;
@@ -24,6 +23,7 @@ import rasterlab.app.visibility.scene.StageView;
 import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.plan.Plan;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.SphericalView;
@@ -45,7 +45,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final LatestReading reader;
     private final KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.Answer> files;
     private final ChartStudies charts;
-    private final PictureBills bills;
+    private final ViewBills bills;
     private final RowLabModel rows;
     private Optional<Frame> compared = Optional.empty();
     private String ownTopic = "depth-order";
@@ -62,7 +62,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
             OwnMethods own, PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
         this.own = own;
         charts = new ChartStudies(events, onFailure);
-        bills = new PictureBills(events, onFailure);
+        bills = new ViewBills(events, onFailure, this::refute);
         rows = RowLabModel.ofDepths(own, events, onFailure);
         stage =
                 new StagePictures(
@@ -95,8 +95,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         return charts;
     }
 
-    /** The counted work of the picture. */
-    PictureBills bills() {
+    /** The counted and measured work of the picture. */
+    ViewBills bills() {
         return bills;
     }
 
@@ -168,11 +168,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         change(change, true);
     }
 
-    /** Moves the eye alone: wrong pixels that are not marked are not counted. */
-    private void move(UnaryOperator<VisibilityChoice> change) {
-        change(change, false);
-    }
-
     private void change(UnaryOperator<VisibilityChoice> change, boolean counted) {
         VisibilityChoice next = change.apply(state.choice());
         if (!state.problem().isEmpty()) tellProblem("");
@@ -205,22 +200,22 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Turns the eye by angles in radians; φ stays in [0, 2π) and so does θ. */
     public void turn(double dTheta, double dPhi) {
-        move(choice -> choice.withCamera(Cameras.turned(choice.camera(), dTheta, dPhi)));
+        change(choice -> choice.withCamera(Cameras.turned(choice.camera(), dTheta, dPhi)), false);
     }
 
     /** Moves the eye away by a factor, within the distances that suit the scene. */
     public void dolly(double factor) {
-        move(choice -> choice.withCamera(Cameras.dollied(choice, factor)));
+        change(choice -> choice.withCamera(Cameras.dollied(choice, factor)), false);
     }
 
     /** Brings the eye to a place. */
     public void look(SphericalView camera) {
-        move(choice -> choice.withCamera(camera));
+        change(choice -> choice.withCamera(camera), false);
     }
 
     /** Enlarges the picture by a factor. */
     public void zoom(double factor) {
-        move(choice -> choice.zoomed(factor));
+        change(choice -> choice.zoomed(factor), false);
     }
 
     public void beginDrag() {
@@ -237,8 +232,13 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     void count() {
         if (compared.isPresent() || !stage.known()) return;
         compared = Optional.of(stage.plain(state.choice()));
-        compared.ifPresent(work::compare);
-        bills.ask(stage.request(state.choice(), state.choice().visibility()));
+        if (state.choice().tolerance().isEmpty()) compared.ifPresent(work::compare);
+        bills.ask(stage.request(state.choice(), state.choice().visibility()), state);
+    }
+
+    private void refute(Plan plan) {
+        work.refute(plan);
+        draw(state.choice(), true);
     }
 
     public History<VisibilityChoice> history() {
@@ -375,6 +375,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         if (timed && first.request().visibility().equals(state.choice().visibility()))
             times.add(first.nanos());
         publish(state.with(made));
+        if (compared.isPresent()) bills.measure(state);
     }
 
     private void accept(Frame frame, Differences found) {

@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import java.util.Optional;
 import rasterlab.app.canvas.method.HazardNote;
+import rasterlab.app.plan.least.PlannedPicture;
 import rasterlab.app.visibility.scene.StageView;
 import rasterlab.app.visibility.scene.VisibilityChoice;
 
@@ -61,6 +62,13 @@ public record VisibilityLabState(
     /** The result of comparing the other method's picture. */
     Optional<Differences.Outcome> otherOutcome() {
         return differences.flatMap(Differences::second);
+    }
+
+    /** The least picture of the present choice; empty while it is made, and for a method's. */
+    Optional<PlannedPicture> least() {
+        return picture.flatMap(Picture::planned)
+                .filter(made -> made.camera().equals(choice.camera()))
+                .filter(made -> Optional.of(made.plan().tolerance()).equals(choice.tolerance()));
     }
 
     /** Whether wrong pixels are marked: they are told of pictures that are drawn to the end. */

@@ -103,13 +103,15 @@ public final class VisibilityPanel extends LabPanel {
         Runnable noModel = model.listen(state -> refresh());
         Runnable noRows = model.rows().listen(choice -> showMode());
         Runnable noCharts = model.charts().listen(stage::refresh);
-        Runnable noBills = model.bills().listen(inspector::refresh);
+        Runnable noCounts = model.bills().counted().listen(bills -> inspector.refreshBills());
+        Runnable noPlans = model.bills().planned().listen(bills -> refresh());
         unsubscribe =
                 () -> {
                     noModel.run();
                     noRows.run();
                     noCharts.run();
-                    noBills.run();
+                    noCounts.run();
+                    noPlans.run();
                 };
         showMode();
     }

@@ -3,6 +3,7 @@ package rasterlab.app.visibility;
 import java.text.NumberFormat;
 import java.util.List;
 import java.util.Optional;
+import java.util.StringJoiner;
 import java.util.function.Function;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.method.OwnWords;
@@ -10,6 +11,7 @@ import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.plan.least.PlanReadings;
 import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.visibility.VisibilityWork;
 
@@ -185,6 +187,18 @@ final class VisibilityReadings {
         return texts.language() == Language.ENGLISH ? own : texts.textOr("refused." + method, own);
     }
 
+    /** The sentences over the pictures; "" for none. */
+    String overStage() {
+        var said = new StringJoiner(" ");
+        if (!state.problem().isEmpty())
+            said.add(texts.text("problem", Complaints.said(texts.language(), state.problem())));
+        else state.note().ifPresent(note -> said.add(note.in(texts.language())));
+        if (state.showsNothing()) said.add(texts.text("empty"));
+        var plan = new PlanReadings(texts.language());
+        model.bills().magnified(state).ifPresent(shown -> said.add(plan.difference(shown)));
+        return said.toString();
+    }
+
     String pixel() {
         if (state.chosen().isEmpty()) return texts.text("pixel.none");
         ChosenPixel at = state.chosen().get();
@@ -217,6 +231,7 @@ final class VisibilityReadings {
             Optional<Differences.Outcome> outcome,
             Function<Compared, String> reading,
             String refused) {
+        if (state.choice().tolerance().isPresent()) return "–";
         if (state.step() != Frame.ALL) return texts.text("known.later");
         String meanwhile = state.choice().difference() ? texts.text("comparing") : "–";
         return outcome.map(found -> found.compared().map(reading).orElse(refused))

@@ -5,8 +5,8 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.event.InputEvent;
@@ -31,8 +31,8 @@ import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.chart.ChartSize;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
+import rasterlab.app.plan.least.MagnifiedDifference;
 import rasterlab.app.visibility.scene.StageView;
 import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.scene.Vase;
@@ -235,10 +235,12 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         over.translate(left, 0);
         DevicePixels.paint(
                 (Graphics2D) over.create(),
-                difference
-                        .filter(found -> marked)
-                        .map(found -> found.difference().mask().image())
-                        .orElse(picture.raster().image()));
+                model.bills()
+                        .magnified(state)
+                        .map(MagnifiedDifference::raster)
+                        .or(() -> difference.filter(f -> marked).map(f -> f.difference().mask()))
+                        .orElse(picture.raster())
+                        .image());
         over.clipRect(
                 0,
                 0,
@@ -280,12 +282,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     }
 
     private void sayProblem(Graphics2D g, VisibilityLabState state) {
-        String problem = state.problem();
-        String said =
-                problem.isEmpty()
-                        ? state.note().map(note -> note.in(texts.language())).orElse("")
-                        : texts.text("problem", Complaints.said(texts.language(), problem));
-        if (state.showsNothing()) said = (said + " " + texts.text("empty")).strip();
+        String said = new VisibilityReadings(model, texts).overStage();
         if (!said.isEmpty())
             say(
                     new StageOverlay(g, 1),

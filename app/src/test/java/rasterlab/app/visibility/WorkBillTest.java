@@ -37,7 +37,7 @@ class WorkBillTest {
     }
 
     private PictureBill bill() {
-        return model.bills().bill().orElseThrow();
+        return model.bills().counted().bill().orElseThrow();
     }
 
     /** Chooses the cube by a method and waits for what is told of it. */
@@ -54,7 +54,7 @@ class WorkBillTest {
         for (String method : List.of("zfloat", "painter")) {
             RenderRequest request = shown(method);
             assertEquals(WorkCount.of(request, () -> false), bill().counted().work(), method);
-            assertTrue(model.bills().current(), method);
+            assertTrue(model.bills().counted().current(), method);
         }
     }
 
@@ -76,11 +76,11 @@ class WorkBillTest {
         model.beginDrag();
         model.turn(0.3, 0);
         thread.settle(model::settle);
-        assertFalse(model.bills().current(), "counted while it turns");
+        assertFalse(model.bills().counted().current(), "counted while it turns");
         assertEquals(before, bill());
         model.endDrag();
         thread.settle(model::settle);
-        assertTrue(model.bills().current());
+        assertTrue(model.bills().counted().current());
         assertEquals(
                 model.state().choice().camera(), bill().plan().full().camera(), "of another view");
     }
@@ -100,8 +100,8 @@ class WorkBillTest {
         shown("zfloat");
         model.choose(choice -> choice.withShading("wire"));
         thread.settle(model::settle);
-        assertTrue(model.bills().current());
-        assertTrue(model.bills().bill().isEmpty());
+        assertTrue(model.bills().counted().current());
+        assertTrue(model.bills().counted().bill().isEmpty());
     }
 
     @Test
@@ -110,7 +110,7 @@ class WorkBillTest {
         shown("zfloat");
         for (Language language : List.of(Language.ENGLISH, Language.RUSSIAN)) {
             var table = new BillTable(language);
-            table.show(model.bills());
+            table.show(model.bills().counted());
             int last = table.getRowCount() - 1;
             assertEquals(bill().rows().size(), last);
             boolean english = language == Language.ENGLISH;

@@ -18,6 +18,7 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.plan.CostOrigin;
+import rasterlab.engine.pipeline.RenderRequest;
 
 /** The bill of a picture: a row for each stage, and one for all of them. */
 public final class BillTable extends JTable {
@@ -60,7 +61,7 @@ public final class BillTable extends JTable {
     }
 
     /** Shows a bill, pale while it is of an earlier picture. */
-    public void show(PictureBills bills) {
+    public void show(Bills<RenderRequest, PictureBill> bills) {
         setEnabled(bills.current());
         if (!bill.equals(bills.bill())) {
             bill = bills.bill();

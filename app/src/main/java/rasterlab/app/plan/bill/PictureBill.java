@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import rasterlab.app.plan.CountedWork;
 import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -45,6 +47,19 @@ public record PictureBill(CountedWork counted, Plan plan) {
         private boolean isEmpty() {
             return milliseconds == 0 && counted.orElse(0L) + planned.orElse(0L) == 0;
         }
+    }
+
+    /**
+     * The bills of pictures that are shown one after the other.
+     *
+     * @param events runs what it is given on the one thread that uses them, in order
+     * @param onFailure told what counting threw, on any thread
+     */
+    public static Bills<RenderRequest, PictureBill> bills(
+            Executor events, Consumer<Throwable> onFailure) {
+        var planner = new Planner();
+        return new Bills<>(
+                "bill", (request, cancelled) -> of(request, planner, cancelled), events, onFailure);
     }
 
     /**

@@ -2,9 +2,11 @@ package rasterlab.app.visibility.scene;
 
 import java.util.Optional;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.plan.least.PlanWish;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.plan.Tolerance;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.transform.Projection;
@@ -25,6 +27,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param view what the stage shows
  * @param drawing whether the timeline goes through the method's steps; otherwise the scene turns
  * @param look all the rest
+ * @param least the least picture in place of the method's
  */
 public record VisibilityChoice(
         SceneChoice shown,
@@ -38,7 +41,8 @@ public record VisibilityChoice(
         boolean difference,
         StageView view,
         boolean drawing,
-        LookChoice look) {
+        LookChoice look,
+        PlanWish least) {
     static final double SMALLEST = 0.25;
     static final double LARGEST = 32;
 
@@ -50,6 +54,8 @@ public record VisibilityChoice(
     private static final double FIRST_ZOOM = 1.6;
 
     public VisibilityChoice {
+        // A choice that an earlier version kept has no value here.
+        if (least == null) least = PlanWish.FIRST;
         if (!(zoom >= SMALLEST && zoom <= LARGEST))
             throw new IllegalArgumentException(
                     "zoom must be in [" + SMALLEST + ", " + LARGEST + "], got " + zoom);
@@ -70,7 +76,8 @@ public record VisibilityChoice(
                 false,
                 StageView.COLOURS,
                 false,
-                LookChoice.USUAL);
+                LookChoice.USUAL,
+                PlanWish.FIRST);
     }
 
     /** The scene's name, or its file's. */
@@ -151,6 +158,7 @@ public record VisibilityChoice(
     public VisibilityChoice withVisibility(String other) {
         var draft = new Draft(this);
         draft.visibility = other;
+        draft.least = least.with(false);
         return draft.choice();
     }
 
@@ -167,12 +175,14 @@ public record VisibilityChoice(
     public VisibilityChoice withComparison(String other) {
         var draft = new Draft(this);
         draft.comparison = other;
+        draft.least = least.with(false);
         return draft.choice();
     }
 
     public VisibilityChoice withShading(String other) {
         var draft = new Draft(this);
         draft.shading = other;
+        draft.least = least.with(false);
         return draft.choice();
     }
 
@@ -196,24 +206,28 @@ public record VisibilityChoice(
     public VisibilityChoice withEdges(boolean drawn) {
         var draft = new Draft(this);
         draft.edges = drawn;
+        draft.least = least.with(false);
         return draft.choice();
     }
 
     public VisibilityChoice withDifference(boolean marked) {
         var draft = new Draft(this);
         draft.difference = marked;
+        draft.least = least.with(false);
         return draft.choice();
     }
 
     public VisibilityChoice withView(StageView other) {
         var draft = new Draft(this);
         draft.view = other;
+        draft.least = least.with(false);
         return draft.choice();
     }
 
     public VisibilityChoice withDrawing(boolean stepped) {
         var draft = new Draft(this);
         draft.drawing = stepped;
+        draft.least = least.with(false);
         return draft.choice();
     }
 
@@ -221,6 +235,32 @@ public record VisibilityChoice(
         var draft = new Draft(this);
         draft.look = suited(other, shown);
         return draft.choice();
+    }
+
+    /**
+     * Draws the least picture that is enough, or the method's again. There is one picture then, in
+     * its colours, to its end; whoever chooses another gets the method's.
+     */
+    public VisibilityChoice with(PlanWish wish) {
+        var draft = new Draft(this);
+        draft.least = wish;
+        if (wish.on()) {
+            draft.comparison = "";
+            draft.edges = false;
+            draft.difference = false;
+            draft.view = StageView.COLOURS;
+            draft.drawing = false;
+        }
+        return draft.choice();
+    }
+
+    /**
+     * The tolerance of the least picture, where it is drawn; empty where it is not: a plan is for
+     * faces, and for one eye.
+     */
+    public Optional<Tolerance> tolerance() {
+        boolean faces = !shading.equals("wire") && look.stereo().isEmpty();
+        return faces ? least.tolerance() : Optional.empty();
     }
 
     /**
@@ -266,6 +306,7 @@ public record VisibilityChoice(
         private StageView view;
         private boolean drawing;
         private LookChoice look;
+        private PlanWish least;
 
         Draft(VisibilityChoice from) {
             shown = from.shown;
@@ -280,6 +321,7 @@ public record VisibilityChoice(
             view = from.view;
             drawing = from.drawing;
             look = from.look;
+            least = from.least;
         }
 
         VisibilityChoice choice() {
@@ -295,7 +337,8 @@ public record VisibilityChoice(
                     difference,
                     view,
                     drawing,
-                    look);
+                    look,
+                    least);
         }
     }
 }

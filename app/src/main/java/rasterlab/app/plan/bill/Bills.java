@@ -5,39 +5,45 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.Listeners;
-import rasterlab.engine.pipeline.RenderRequest;
-import rasterlab.engine.plan.Planner;
 
 /**
  * Finds the bill of the picture that is shown, in the background; the last one is kept meanwhile.
  *
  * <p>Used on one thread, that of the executor it is given.
+ *
+ * @param <Q> a picture
+ * @param <B> its bill
  */
-public final class PictureBills implements AutoCloseable {
-    private final LatestOnly<RenderRequest, Optional<PictureBill>> work;
-    private final Listeners<PictureBills> listeners = new Listeners<>();
-    private Optional<RenderRequest> asked = Optional.empty();
-    private Optional<PictureBill> bill = Optional.empty();
+public final class Bills<Q, B> implements AutoCloseable {
+    private final LatestOnly<Q, Optional<B>> work;
+    private final Listeners<Bills<Q, B>> listeners = new Listeners<>();
+    private Optional<Q> asked = Optional.empty();
+    private Optional<B> bill = Optional.empty();
     private boolean current;
 
     /**
+     * @param name of the thread
+     * @param found makes the bill of a picture; empty for one that has none
      * @param events runs what it is given on the one thread that uses this, in order
-     * @param onFailure told what counting threw, on any thread
+     * @param onFailure told what making a bill threw, on any thread
      */
-    public PictureBills(Executor events, Consumer<Throwable> onFailure) {
-        var planner = new Planner();
+    public Bills(
+            String name,
+            LatestOnly.Work<Q, Optional<B>> found,
+            Executor events,
+            Consumer<Throwable> onFailure) {
         work =
                 new LatestOnly<>(
-                        "bill",
-                        (request, cancelled) -> PictureBill.of(request, planner, cancelled),
-                        (request, found) -> events.execute(() -> accept(request, found)),
+                        name,
+                        found,
+                        (picture, made) -> events.execute(() -> accept(picture, made)),
                         onFailure);
     }
 
     /** Asks for the bill of a picture. */
-    public void ask(RenderRequest request) {
-        asked = Optional.of(request);
-        work.ask(request);
+    public void ask(Q picture) {
+        asked = Optional.of(picture);
+        work.ask(picture);
     }
 
     /** Drops what is being counted: another picture is shown. */
@@ -50,7 +56,7 @@ public final class PictureBills implements AutoCloseable {
     }
 
     /** The newest bill; empty before there is one, and for pictures that have none. */
-    public Optional<PictureBill> bill() {
+    public Optional<B> bill() {
         return bill;
     }
 
@@ -60,7 +66,7 @@ public final class PictureBills implements AutoCloseable {
     }
 
     /** Tells the listener of each bill, and when it becomes old; the answer ends that. */
-    public Runnable listen(Consumer<PictureBills> listener) {
+    public Runnable listen(Consumer<Bills<Q, B>> listener) {
         return listeners.add(listener);
     }
 
@@ -74,8 +80,8 @@ public final class PictureBills implements AutoCloseable {
         work.close();
     }
 
-    private void accept(RenderRequest request, Optional<PictureBill> found) {
-        if (asked.filter(newest -> newest == request).isEmpty()) return;
+    private void accept(Q picture, Optional<B> found) {
+        if (asked.filter(newest -> newest == picture).isEmpty()) return;
         bill = found;
         current = true;
         listeners.tell(this);
