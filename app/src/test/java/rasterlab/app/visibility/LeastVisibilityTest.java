@@ -46,7 +46,7 @@ class LeastVisibilityTest {
         assertEquals(List.of(), failures);
     }
 
-    /** What a bill asks for anew is waited for too. */
+    /** Waits for what a bill asks for anew too. */
     private void settle() {
         thread.settle(model::settle);
         thread.settle(model::settle);

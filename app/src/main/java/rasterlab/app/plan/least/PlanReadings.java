@@ -47,7 +47,7 @@ public final class PlanReadings {
                 Long.toString(Math.round(100 * least / full)));
     }
 
-    /** For which cameras the plan holds, and how many pictures it has drawn. */
+    /** The number of pictures that the plan has drawn, and the cameras that it holds for. */
     String kept(PlannedPicture picture) {
         Plan plan = picture.plan();
         return texts.text(
@@ -75,7 +75,7 @@ public final class PlanReadings {
         return texts.text("least.decision", said.strip(), PlanReport.reason(texts, decision));
     }
 
-    /** What the picture of a difference shows. */
+    /** A sentence about the picture of a difference. */
     public String difference(MagnifiedDifference difference) {
         return difference.largest() == 0
                 ? texts.text("least.alike")

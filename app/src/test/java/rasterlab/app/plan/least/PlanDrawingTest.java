@@ -30,7 +30,7 @@ import rasterlab.engine.transform.SphericalView;
 class PlanDrawingTest {
     private static final Tolerance TOLERANCE = new Tolerance(1, 6, 0);
 
-    /** Less than the tolerance, but twice that is more. */
+    /** Levels within the tolerance, of which twice as many are not. */
     private static final int TINT = 5;
 
     private final Renderer renderer = new Renderer();
