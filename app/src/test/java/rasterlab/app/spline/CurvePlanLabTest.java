@@ -76,8 +76,13 @@ class CurvePlanLabTest {
     @Test
     @DisplayName("points at given t are planned, where the flatness means nothing")
     void givenParametersHaveNoPlan() {
+        planned(new CurvePlanning(true, CurvePlanning.MOST_TIMES));
         model.sample(Sampling.equal(8));
         thread.settle(model::settle);
         assertTrue(model.state().drawings().plan().isEmpty());
+        assertEquals(8, model.state().drawing().segments());
+        model.sample(Sampling.flat(0.25));
+        thread.settle(model::settle);
+        assertTrue(model.state().drawings().plan().isPresent());
     }
 }

@@ -113,14 +113,25 @@ class FrontChartTest {
                         List.of(again, timed("midpoint", 16, 10, 0), timed("naive", 16, 9, 2)));
         var chart = new FrontChart(circle, new StudyWords(Language.ENGLISH), ChartLook.PAPER);
         chart.image(ChartLook.PAPER);
+        double row = spot(chart, "bresenham-textbook").y();
+        assertTrue(row + 20 < spot(chart, "naive").y(), "above the largest error");
         String said = "tells by how much: bresenham-textbook (8 pixels are drawn again).";
         assertTrue(text(svg(StudyPlot.FRONT, circle)).contains(said), "its row is explained");
-        assertTrue(text(svg(StudyPlot.FRONT, circle)).contains("not right"), "its row has a name");
+        assertTrue(svg(StudyPlot.FRONT, circle).contains(">not right<"), "its row has a name");
+        String russian = svg(circle, StudyPlot.FRONT, Language.RUSSIAN);
+        assertTrue(russian.contains(">неверно<"), "its row has a name in Russian");
         assertTrue(
                 text(svg(StudyPlot.ERROR_GROWTH, circle))
                         .contains(
                                 "not on this axis: bresenham-textbook (8 pixels are drawn again)"),
                 "it is not among the exact ones");
+    }
+
+    private static FrontChart.Spot spot(FrontChart chart, String method) {
+        return chart.spots().stream()
+                .filter(spot -> spot.point().method().equals(method))
+                .findFirst()
+                .orElseThrow();
     }
 
     /** The words of a drawing, lines joined. */
