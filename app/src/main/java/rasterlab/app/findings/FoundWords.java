@@ -40,9 +40,6 @@ final class FoundWords {
     private static final Set<Verdict.Kind> REFUSALS = EnumSet.of(Verdict.Kind.REFUSED);
     private static final Set<Verdict.Kind> DEGRADED = EnumSet.of(Verdict.Kind.DEGRADED);
 
-    /** How many times a fixed load's median is off where a share would say little. */
-    private static final double BUSY = 2;
-
     private final Topic<?, ?, ?> topic;
     private final Study study;
     private final HazardMatrix hazards;
@@ -79,15 +76,14 @@ final class FoundWords {
 
     /** When and where it was measured, and how far its times can be trusted. */
     String measured(Circumstances how) {
-        double noise = how.fixed().keySet().stream().mapToDouble(study::noise).max().orElse(1);
         return texts.text(
-                noise < BUSY ? "how.measured" : "how.busy",
+                study.isBusy() ? "how.busy" : "how.measured",
                 Findings.begun(how),
                 StudyFile.machine(),
                 String.format(texts.locale(), "%.1f", Math.max(0, how.loadBefore())),
-                noise < BUSY
-                        ? String.format(texts.locale(), "%.1f", 100 * (noise - 1))
-                        : (Object) Math.round(noise),
+                study.isBusy()
+                        ? (Object) Math.round(study.noise())
+                        : String.format(texts.locale(), "%.1f", 100 * (study.noise() - 1)),
                 how.settings().seed());
     }
 

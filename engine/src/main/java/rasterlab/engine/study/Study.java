@@ -20,6 +20,8 @@ public record Study(
         String errorUnit,
         List<Measurement> measurements,
         Optional<Circumstances> circumstances) {
+    private static final double BUSY = 2;
+
     public Study {
         measurements = List.copyOf(measurements);
     }
@@ -40,6 +42,20 @@ public record Study(
                 .map(how -> how.fixed().getOrDefault(workload, List.of()))
                 .map(fixed -> Rounds.noise(Samples.of(fixed)))
                 .orElse(1.0);
+    }
+
+    /** The most of that beside any workload. */
+    public double noise() {
+        return circumstances.stream()
+                .flatMap(how -> how.fixed().keySet().stream())
+                .mapToDouble(this::noise)
+                .max()
+                .orElse(1);
+    }
+
+    /** Whether the machine was so busy that a share of the times would say little of its noise. */
+    public boolean isBusy() {
+        return noise() >= BUSY;
     }
 
     /** Whether it came to its end. */

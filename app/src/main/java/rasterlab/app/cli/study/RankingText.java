@@ -101,12 +101,11 @@ final class RankingText {
     }
 
     private void addNoise(List<String> lines, Circumstances how) {
-        double noise = how.fixed().keySet().stream().mapToDouble(study::noise).max().orElse(1);
         add(
                 lines,
                 texts.text(
-                        "rank.noise",
-                        String.format(texts.locale(), "%.1f", 100 * (noise - 1)),
+                        study.isBusy() ? "rank.busy" : "rank.noise",
+                        String.format(texts.locale(), "%.1f", 100 * (study.noise() - 1)),
                         load(how.loadBefore()),
                         load(how.loadAfter())));
         if (!how.whole()) add(lines, texts.text("rank.cut"));

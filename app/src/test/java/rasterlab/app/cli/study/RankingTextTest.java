@@ -1,6 +1,7 @@
 package rasterlab.app.cli.study;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
@@ -76,6 +77,10 @@ class RankingTextTest {
     void aBusyMachineTellsNothingApartAndSaysWhatWouldSettleIt() {
         String said = text(study(times(1, 4), true), ReportLanguage.EN);
         assertTrue(said.contains("\nw: dda ? wu ? naive\n"), said);
+        assertTrue(said.contains("Noise: not measurable now, a fixed"), said);
+        assertFalse(said.contains("off by up to"), said);
+        String russian = text(study(times(1, 4), true), ReportLanguage.RU);
+        assertTrue(russian.contains("Шум: сейчас не измерить"), russian);
         String less = text(study(BUSY, true), ReportLanguage.EN);
         assertTrue(less.contains("more rounds (--rounds "), less);
         assertTrue(text(study(BUSY, true), ReportLanguage.RU).contains("Ещё примерно"), less);
