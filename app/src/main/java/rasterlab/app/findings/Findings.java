@@ -101,7 +101,7 @@ public final class Findings {
             found.put(topic, found(topic));
         }
         new FoundContents(folder, shared(), texts, called)
-                .write(found, command("study --all" + paced() + " --out findings"));
+                .write(found, language.command("study --all" + paced() + " --out findings"));
         return found.values().stream().allMatch(Found::whole);
     }
 
@@ -118,12 +118,6 @@ public final class Findings {
     /** The options that repeat these settings. */
     private String paced() {
         return pace + " --seed " + settings.seed();
-    }
-
-    /** A command that says in this language what stands here. */
-    private String command(String words) {
-        boolean english = language == Language.ENGLISH;
-        return "./lab " + (english ? "" : "--lang " + texts.locale().getLanguage() + " ") + words;
     }
 
     private Found found(Topic<?, ?, ?> topic) {
@@ -186,7 +180,7 @@ public final class Findings {
             page.begin("shown");
             page.chart(name, texts.text("chart." + plot.code()), name + ".svg");
             page.command(
-                    command(
+                    language.command(
                             "study %s%s --chart %s --out %s.svg"
                                     .formatted(topic.name(), paced(), plot.code(), plot.code())));
             page.end();
@@ -195,7 +189,7 @@ public final class Findings {
         if (hazards.cells().stream().anyMatch(cell -> cell.verdict().kind() == DEGRADED))
             page.paragraph(VerdictTable.rule(DEGRADED, language));
         page.verdicts(VerdictTable.of(topic, hazards, language, hazardPage(topic)));
-        page.command(command("hazards " + topic.name()));
+        page.command(language.command("hazards " + topic.name()));
         page.heading(texts.text("how")).paragraph(words.measured(how));
         page.link(DATA + "/" + topic.name() + ".json", "JSON", texts.text("data.json"));
         page.link(DATA + "/" + topic.name() + ".csv", "CSV", texts.text("data.csv"));

@@ -72,7 +72,7 @@ public final class HazardPage<C, I, O> {
         var body = new StringBuilder();
         String name = texts.text("title", called.topic(topic.name()), topic.name());
         body.append("<h1>%s</h1>\n<p>%s</p>\n".formatted(text(name), text(texts.text("about"))));
-        body.append(command("./lab hazards " + topic.name()));
+        body.append(command(texts.language().command("hazards " + topic.name())));
         body.append("<h2>%s</h2>\n<dl>\n".formatted(text(texts.text("rules"))));
         for (Verdict.Kind kind : Verdict.Kind.values())
             body.append(
@@ -157,7 +157,7 @@ public final class HazardPage<C, I, O> {
     }
 
     private String repeating(Hazard<I> hazard, String method) {
-        return VerdictTable.repeating(topic.name(), method, hazard.name());
+        return VerdictTable.repeating(topic.name(), method, hazard.name(), texts.language());
     }
 
     private static String command(String typed) {

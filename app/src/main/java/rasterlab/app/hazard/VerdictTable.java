@@ -22,6 +22,7 @@ public final class VerdictTable {
 
     private final Topic<?, ?, ?> topic;
     private final HazardMatrix matrix;
+    private final Language language;
     private final TopicNames called;
     private final StudyWords words;
     private final String page;
@@ -32,6 +33,7 @@ public final class VerdictTable {
         this.topic = topic;
         this.matrix = matrix;
         this.page = page;
+        this.language = language;
         called = TopicNames.in(language);
         words = new StudyWords(language);
     }
@@ -58,8 +60,8 @@ public final class VerdictTable {
     }
 
     /** The command that tries a method on a hazard again. */
-    static String repeating(String topic, String method, String hazard) {
-        return "./lab run %s %s --hazard %s".formatted(topic, method, hazard);
+    static String repeating(String topic, String method, String hazard, Language language) {
+        return language.command("run %s %s --hazard %s".formatted(topic, method, hazard));
     }
 
     /** The place on the topic's page where that verdict is explained. */
@@ -91,7 +93,7 @@ public final class VerdictTable {
         Verdict.Kind kind = cell.verdict().kind();
         String place =
                 kind == Verdict.Kind.EXACT ? cell.hazard() : id(cell.hazard(), cell.method());
-        String command = repeating(topic.name(), cell.method(), cell.hazard());
+        String command = repeating(topic.name(), cell.method(), cell.hazard(), language);
         html.append(
                 "<td class=\"%s\"><a href=\"%s#%s\" title=\"%s\">%s</a></td>"
                         .formatted(

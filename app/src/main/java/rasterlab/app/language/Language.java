@@ -25,6 +25,11 @@ public enum Language {
         return ownName;
     }
 
+    /** The command of a shell that answers in this language, for {@code words} behind ./lab. */
+    public String command(String words) {
+        return "./lab " + (this == ENGLISH ? "" : "--lang " + locale.getLanguage() + " ") + words;
+    }
+
     /**
      * Which form a noun takes behind a number.
      *

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.DisplayName;
@@ -62,8 +63,14 @@ class FindingsTest {
                         "charts/view-sizes-dark.svg",
                         "charts/view-cost-growth-dark.svg",
                         "data/view.json")) assertTrue(view.contains(wanted), wanted);
-        for (String link : List.of("charts/view-front.svg", "data/view.json", "data/view.csv"))
-            assertTrue(Files.size(folder.resolve(link)) > 0, link);
+        Matcher link =
+                Pattern.compile("(?:src|srcset|href)=\"((?:charts|data)/[^\"]+)\"").matcher(view);
+        var linked = new TreeSet<String>();
+        while (link.find()) linked.add(link.group(1));
+        for (String file : linked) assertTrue(Files.size(folder.resolve(file)) > 0, file);
+        assertEquals(
+                12, linked.size(), "five charts in two looks, two files of numbers: " + linked);
+        assertTrue(page("charts/view-error-by-input.svg").contains(">Best: "), "not another chart");
         assertTrue(page("index.html").contains("<a href=\"matrix.html\">"));
         assertTrue(page("course.html").contains("charts/matrix-front.svg"));
         assertTrue(view.contains("@media print"));
@@ -122,6 +129,9 @@ class FindingsTest {
         String view = page("view.html");
         assertTrue(view.contains("./lab --lang ru study view --quick --seed 1 --chart front"));
         assertTrue(view.contains("./lab --lang ru hazards view"));
+        assertTrue(view.contains("title=\"./lab --lang ru run view "), "in the cells");
+        for (String text : List.of(view, page("hazards/view.html")))
+            assertFalse(Pattern.compile("\\./lab (?!--lang ru )").matcher(text).find());
         assertTrue(view.contains("<h1>Вид по"), "a title begins with a capital");
         assertFalse(Pattern.compile("<p>[^<]*\\d \\p{L}").matcher(view).find());
     }
