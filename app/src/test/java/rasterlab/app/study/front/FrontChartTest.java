@@ -115,6 +115,7 @@ class FrontChartTest {
         chart.image(ChartLook.PAPER);
         double row = spot(chart, "bresenham-textbook").y();
         assertTrue(row + 20 < spot(chart, "naive").y(), "above the largest error");
+        assertTrue(row > 40, "below the title");
         String said = "tells by how much: bresenham-textbook (8 pixels are drawn again).";
         assertTrue(text(svg(StudyPlot.FRONT, circle)).contains(said), "its row is explained");
         assertTrue(svg(StudyPlot.FRONT, circle).contains(">not right<"), "its row has a name");
