@@ -2,7 +2,9 @@ package rasterlab.exercises.searching;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import rasterlab.engine.border.BorderNumbers;
 import rasterlab.engine.format.Field;
@@ -23,9 +25,18 @@ final class DrawnSource implements ValueSource {
     private static final int SMALL = 10;
     private static final int MOST_ITEMS = 9;
 
+    /** Numbers of a point that has steps or directions beside its place: some may all be 0. */
+    private static final int SEVERAL = 4;
+
+    /** Whole numbers of which any may be drawn, such as levels of grey. */
+    private static final int FEW_WHOLE = 1000;
+
     private final Random random;
     private final int temper;
     private final List<Double> numbers = new ArrayList<>();
+
+    /** How many items the last list of that name has: the rows of a table are alike. */
+    private final Map<String, Integer> lengths = new HashMap<>();
 
     /**
      * @param calm whether numbers of a usual size are wanted
@@ -75,12 +86,20 @@ final class DrawnSource implements ValueSource {
     @Override
     public <T> List<T> list(String what, Shape<T> item, int least, int most) throws IOException {
         var items = new ArrayList<T>();
-        for (int left = count(least, most); left > 0; left--)
+        int length = length(what, least, most);
+        for (int left = length; left > 0; left--)
             items.add(
                     !items.isEmpty() && random.nextInt(8) == 0
                             ? items.get(random.nextInt(items.size()))
                             : item.read(this));
+        lengths.put(what, length);
         return items;
+    }
+
+    private int length(String what, int least, int most) {
+        int last = lengths.getOrDefault(what, most + 1);
+        boolean alike = last >= least && last <= most && random.nextInt(4) > 0;
+        return alike ? last : count(least, most);
     }
 
     @Override
@@ -93,7 +112,13 @@ final class DrawnSource implements ValueSource {
     @Override
     public double[] points(int dimension, int least, int most) {
         var drawn = new double[dimension * count(least, most)];
-        for (int i = 0; i < drawn.length; i += dimension) point(drawn, i, dimension);
+        boolean[] zero = new boolean[dimension];
+        if (dimension >= SEVERAL && random.nextBoolean())
+            for (int axis = 0; axis < dimension; axis++) zero[axis] = random.nextBoolean();
+        for (int i = 0; i < drawn.length; i += dimension) {
+            point(drawn, i, dimension);
+            for (int axis = 0; axis < dimension; axis++) if (zero[axis]) drawn[i + axis] = 0;
+        }
         return drawn;
     }
 
@@ -170,6 +195,8 @@ final class DrawnSource implements ValueSource {
 
     @Override
     public int whole(int least, int most) {
+        boolean few = most > least && (long) most - least < FEW_WHOLE;
+        if (few && random.nextBoolean()) return least + random.nextInt(most - least + 1);
         long number =
                 switch (temper) {
                     case 0, 1 -> random.nextInt(SMALL);

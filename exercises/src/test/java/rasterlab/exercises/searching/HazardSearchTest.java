@@ -20,6 +20,7 @@ import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.judging.MethodsOnInput;
 import rasterlab.exercises.judging.MethodsOnInput.Tried;
 import rasterlab.exercises.scene.MethodCase;
@@ -120,6 +121,19 @@ class HazardSearchTest {
                                 asked.getName().equals("methods")
                                         ? methods
                                         : asked.invoke(line, arguments));
+    }
+
+    @ParameterizedTest(name = "{1}: tables have rows of any length, or no step is along an axis")
+    @CsvSource({
+        "texture-filter, corner-not-center",
+        "texture-filter, weights-swapped",
+        "texture-filter, level-0-alone"
+    })
+    void tablesAndStepsAlongTheAxesAreDrawn(String topic, String mutant) {
+        HazardSearch<?, ?, ?> search = HazardSearch.of(topic, mutant, 1, new Heard());
+        Find find = search.search(TIME, () -> false).orElseThrow();
+        assertEquals(Verdict.Kind.WRONG, find.verdict().kind(), find.input());
+        assertTrue(find.tried() <= 200, () -> find.tried() + " inputs");
     }
 
     @Test
