@@ -120,7 +120,7 @@ class AccessiblePagesTest {
         return server.address().resolve(path).toString();
     }
 
-    /** What axe-core finds on that page, or on the one that is open where it is no path. */
+    /** Returns what axe-core finds on that page, or on the one that is open where it is no path. */
     private static List<String> findings(Browser browser, String page) {
         if (page.startsWith("/")) browser.driver().get(address(page));
         return new AxeBuilder()
