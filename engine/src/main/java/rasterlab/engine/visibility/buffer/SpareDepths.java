@@ -1,6 +1,5 @@
 package rasterlab.engine.visibility.buffer;
 
-import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicReference;
 
 /** The buffer of the last frame, for the next one of the same size; safe to use by many threads. */
@@ -10,12 +9,10 @@ final class SpareDepths {
 
     private final AtomicReference<int[]> spare = new AtomicReference<>(new int[0]);
 
-    /** A buffer whose pixels hold nothing. */
-    int[] takeEmpty(int pixels) {
+    /** Hands out a buffer that may still hold the depths of another frame. */
+    int[] take(int pixels) {
         int[] last = spare.getAndSet(new int[0]);
-        int[] buffer = last.length == pixels ? last : new int[pixels];
-        Arrays.fill(buffer, DepthCodes.EMPTY);
-        return buffer;
+        return last.length == pixels ? last : new int[pixels];
     }
 
     /** Keeps a buffer that nobody reads any more. */

@@ -1,9 +1,9 @@
 package rasterlab.engine.visibility.buffer;
 
+import java.util.Arrays;
 import java.util.OptionalDouble;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.BufferedWalk;
-import rasterlab.engine.visibility.FaceBrush;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.NearnessPlane;
 import rasterlab.engine.visibility.ScreenPolygon;
@@ -16,11 +16,17 @@ import rasterlab.engine.visibility.VisibilityWalk;
 import rasterlab.engine.visibility.VisibilityWork;
 
 /**
- * A depth for each pixel; a face colours those pixels where it is nearer than what they hold. Of
- * equal codes the earlier face stays.
+ * Keeps the nearest depth so far of each pixel; a face colours those pixels where it is nearer. Of
+ * equal depths the earlier face stays.
  *
- * <p>Transparent faces come last ({@link OpaqueFirst}) and are blended where nothing opaque is
- * nearer; they leave the depths as they are.
+ * <p>The depth is nearness, ρ/z in perspective and −z in parallel projection: it grows towards the
+ * eye and, unlike z, is linear on the screen. {@link DepthCodes} stores it as an int, the smaller
+ * one being the nearer; how many bits that takes is no matter here.
+ *
+ * <p>{@link OpaqueFirst} orders the faces: transparent ones come last and are blended where nothing
+ * opaque is nearer, leaving the depths as they are. {@link ScreenPolygon} clips a face, projects it
+ * and finds the pixels inside, row by row. {@link NearnessPlane} holds the linear function of a
+ * face. {@link SpareDepths} lends the last frame's memory.
  *
  * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
  */
@@ -49,20 +55,21 @@ final class ZBuffer implements SteppedVisibility {
 
     private final class Walk implements BufferedWalk {
         private final ViewedMesh view;
+        private final FacePaint paint;
+        private final Raster out;
         private final int width;
         private final int height;
         private final Tally tally = new Tally();
-        private final FaceBrush brush;
         private final OpaqueFirst order;
         private final DepthCodes depths;
         private final ScreenPolygon polygon;
         private final NearnessPlane plane = new NearnessPlane();
-        private final SpanSink rows = this::drawRow;
+        private final SpanSink eachRow = this::drawRow;
 
-        /** The code of the nearest depth so far, for each pixel of the picture. */
+        /** The depth code of the nearest face so far, for each pixel of the picture. */
         private final int[] nearest;
 
-        /** The codes of the face along a row. */
+        /** The depth codes of one face along one row, the first for its first pixel inside. */
         private final int[] codes;
 
         private int drawn;
@@ -71,16 +78,19 @@ final class ZBuffer implements SteppedVisibility {
 
         Walk(ViewedMesh view, FacePaint paint, Raster out) {
             this.view = view;
+            this.paint = paint;
+            this.out = out;
             width = out.width();
             height = out.height();
-            brush = new FaceBrush(paint, out, tally);
             order = OpaqueFirst.of(view, paint, tally);
             depths = format.over(NearnessRange.of(view));
             polygon = new ScreenPolygon(view);
-            nearest = spare.takeEmpty(width * height);
             codes = new int[width];
+            nearest = spare.take(width * height);
+            Arrays.fill(nearest, DepthCodes.EMPTY); // farther than every face
         }
 
+        /** Draws the next face. */
         @Override
         public boolean advance() {
             if (drawn == order.faces().length) {
@@ -89,33 +99,40 @@ final class ZBuffer implements SteppedVisibility {
             }
             face = order.faces()[drawn++];
             long before = tally.pixelsWritten;
-            if (plane.load(view, face)) {
+            boolean edgeOn = !plane.load(view, face);
+            if (!edgeOn) {
                 polygon.load(view, face);
-                polygon.fill(width, height, rows);
+                polygon.fill(width, height, eachRow);
             }
             nearer = tally.pixelsWritten - before;
             return true;
         }
 
-        /**
-         * Colours the pixels from {@code from} to {@code to} − 1 of row y where the face is nearer.
-         */
+        /** Draws the face's pixels inside in row y, from {@code from} to {@code to} − 1. */
         private void drawRow(int y, int from, int to) {
-            tally.depthTests += to - from;
+            // nearness(x, y) = base + x·perColumn + y·perRow, as codes
             depths.row(plane.base + y * plane.perRow, plane.perColumn, from, to, codes);
-            boolean hides = drawn <= order.opaque();
+            tally.depthTests += to - from;
+            boolean opaque = drawn <= order.opaque();
             int row = y * width;
-            int seenFrom = -1;
+            int visibleFrom = from;
             for (int x = from; x < to; x++) {
                 int code = codes[x - from];
-                boolean isNearer = code < nearest[row + x];
-                if (isNearer && hides) nearest[row + x] = code;
-                if (isNearer && seenFrom < 0) seenFrom = x;
-                if (isNearer || seenFrom < 0) continue;
-                brush.span(face, y, seenFrom, x);
-                seenFrom = -1;
+                if (code < nearest[row + x]) {
+                    if (opaque) nearest[row + x] = code;
+                } else {
+                    color(y, visibleFrom, x);
+                    visibleFrom = x + 1;
+                }
             }
-            if (seenFrom >= 0) brush.span(face, y, seenFrom, to);
+            color(y, visibleFrom, to);
+        }
+
+        /** Colours a run of visible pixels at once, so that the paint prepares only once for it. */
+        private void color(int y, int from, int to) {
+            if (from == to) return;
+            tally.pixelsWritten += to - from;
+            paint.span(face, y, from, to, out);
         }
 
         @Override
