@@ -13,6 +13,10 @@ import rasterlab.engine.raster.Work;
  * step along adds 2·u + 1 (the new u), a step down takes 2·v (the new v) off; both numbers are kept
  * and change by 2, so nothing is multiplied.
  *
+ * <p>The first call of {@code advance} goes from u = −1 to the first pixel (0, r). {@link
+ * CountedArc} holds the counters {@code choices}, {@code asides} and {@code downs}, by which no
+ * pixel is chosen.
+ *
  * <p>|d| ≤ 2·r + 1 &lt; 2³² for int radii, so a long never overflows.
  *
  * <p>Source: M. L. V. Pitteway, Algorithm for drawing ellipses or hyperbolae with a digital
@@ -21,9 +25,22 @@ import rasterlab.engine.raster.Work;
 public final class MidpointCircle implements SteppedCircle {
     @Override
     public void draw(int centreX, int centreY, int radius, Pixels out) {
-        var mirror = Mirror.about(centreX, centreY, radius, radius, out);
+        Mirror.requireRoom(centreX, centreY, radius, radius);
         var walk = new Walk(radius);
-        while (walk.advance()) mirror.eight(walk.u, walk.v);
+        while (walk.advance()) plotEight(centreX, centreY, walk.u, walk.v, out);
+    }
+
+    /** Plots a pixel of the octant and its mirror images, of which some coincide, each once. */
+    private static void plotEight(int x, int y, int u, int v, Pixels out) {
+        out.plot(x + u, y + v);
+        if (u != 0) out.plot(x - u, y + v);
+        if (v != 0) out.plot(x + u, y - v);
+        if (u != 0 && v != 0) out.plot(x - u, y - v);
+        if (u == v) return;
+        out.plot(x + v, y + u);
+        out.plot(x - v, y + u);
+        if (u != 0) out.plot(x + v, y - u);
+        if (u != 0) out.plot(x - v, y - u);
     }
 
     @Override
@@ -58,22 +75,20 @@ public final class MidpointCircle implements SteppedCircle {
         @Override
         public boolean advance() {
             if (u >= v) return false;
-            if (u >= 0) choose();
+            boolean hasPixel = u >= 0;
+            if (hasPixel) choices++;
+            if (hasPixel && d >= 0) { // M is outside: the row below is nearer
+                downs++;
+                v--;
+                belowStep -= 2;
+                d -= belowStep;
+            }
             u++;
             if (u > v) return false;
             asides++;
             besideStep += 2;
             d += besideStep;
             return true;
-        }
-
-        private void choose() {
-            choices++;
-            if (d < 0) return;
-            downs++;
-            v--;
-            belowStep -= 2;
-            d -= belowStep;
         }
 
         @Override

@@ -8,9 +8,18 @@ record Mirror(int centreX, int centreY, Pixels out) {
      * @throws IllegalArgumentException if the extent is below 0 or leaves the range of int
      */
     static Mirror about(int centreX, int centreY, int radiusX, int radiusY, Pixels out) {
+        requireRoom(centreX, centreY, radiusX, radiusY);
+        return new Mirror(centreX, centreY, out);
+    }
+
+    /**
+     * Passes if every coordinate of such a curve is an int.
+     *
+     * @throws IllegalArgumentException if a radius is below 0 or the curve leaves the range of int
+     */
+    static void requireRoom(int centreX, int centreY, int radiusX, int radiusY) {
         check("x", centreX, radiusX);
         check("y", centreY, radiusY);
-        return new Mirror(centreX, centreY, out);
     }
 
     private static void check(String axis, int centre, int radius) {
