@@ -46,6 +46,7 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
             polygon = subject.xy();
         }
 
+        /** Cuts the polygon by the line of the next side, edge after edge from last to corner. */
         @Override
         public boolean advance() {
             if (side == window.size() || polygon.length == 0) return false;
@@ -56,7 +57,8 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
             for (int corner = 0; corner < polygon.length; corner += 2) {
                 boolean closing = corner == polygon.length - 2;
                 int thisSide = closing ? closingSide : sideOf(corner);
-                if (lastSide * thisSide < 0) addCrossing(last, corner);
+                boolean passesLine = lastSide * thisSide < 0;
+                if (passesLine) addCrossing(last, corner);
                 if (thisSide >= 0) add(polygon[corner], polygon[corner + 1]);
                 last = corner;
                 lastSide = thisSide;
@@ -66,11 +68,13 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
             return true;
         }
 
+        /** Decides exactly: 1 within the line of the current side, 0 on it, −1 beyond it. */
         private int sideOf(int corner) {
             sideTests++;
             return window.side(side, polygon[corner], polygon[corner + 1]);
         }
 
+        /** Adds the point p + t·(q − p) at which the edge from corner p to q passes the line. */
         private void addCrossing(int from, int to) {
             double[] point =
                     crossing.of(

@@ -12,6 +12,9 @@ import rasterlab.contract.Curve;
  * <p>Only means of control points are taken, so that nothing grows and no degree is too high: n·(n
  * + 1)/2 means per coordinate.
  *
+ * <p>{@link BezierPoints} turns a span of any kind of curve into Bézier control points; {@link
+ * EvaluatedCurve} goes along the curve and says for which u a point is asked.
+ *
  * <p>Source: P. de Casteljau, Outillages méthodes calcul, Citroën, 1959; W. Boehm, A. Müller, On de
  * Casteljau's algorithm, Computer Aided Geometric Design 16, 1999, pp. 587–605.
  */
@@ -31,6 +34,7 @@ public final class DeCasteljauCurve extends EvaluatedCurve implements SteppedPoi
         };
     }
 
+    /** Divides each side of a row of {@code row} + 1 points; those in front are the next row. */
     private static void nextRow(double[] x, double[] y, int row, double u) {
         for (int i = 0; i < row; i++) {
             x[i] = (1 - u) * x[i] + u * x[i + 1];
