@@ -56,8 +56,13 @@ public final class BresenhamLine implements WindowedLine {
         private final int alongY;
         private final int acrossX;
         private final int acrossY;
+
+        /** Change of d by a step along: 2·b. */
         private final long straight;
+
+        /** Change of d by a step along and across: 2·b − 2·n. */
         private final long diagonal;
+
         private int x;
         private int y;
         private long d;
