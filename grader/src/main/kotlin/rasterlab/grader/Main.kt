@@ -66,23 +66,8 @@ fun main(arguments: Array<String>) {
 
 /** Every failure ends in one line; its stack is in the log, if there is one already. */
 internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLine {
-    val commands =
-        CommandLine(GraderProgram(words))
-            .addSubcommand(ServeCommand(words))
-            .addSubcommand(BackupCommand(words))
-            .addSubcommand(RestoreCommand(words))
-            .addSubcommand(TokenCommand())
-            .addSubcommand(
-                CommandLine(CourseCommand(words))
-                    .addSubcommand(CourseListCommand())
-                    .addSubcommand(CourseRosterCommand(words))
-                    .addSubcommand(CourseRulesCommand())
-                    .addSubcommand(CourseExtendCommand())
-                    .addSubcommand(CourseCloneCommand())
-                    .addSubcommand(CourseGradesCommand()),
-            ).addSubcommand(HelpCommand())
     return words
-        .wear(commands)
+        .wear(programOf(words))
         .setUsageHelpWidth(HELP_WIDTH)
         .registerConverter(Path::class.java, ::named)
         .setCaseInsensitiveEnumValuesAllowed(true)
@@ -104,6 +89,14 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
                     refuse(command, PageTexts.of(words.language.language).problem(failure.code))
                 }
 
+                is Rejection.UnknownStaff -> {
+                    refuse(command, CannotStart(Reason.NO_STAFF, failure.id).said(words.language))
+                }
+
+                is Rejection.LastInstructor -> {
+                    refuse(command, CannotStart(Reason.LAST_INSTRUCTOR).said(words.language))
+                }
+
                 is Rejection.UnknownStudent -> {
                     refuse(
                         command,
@@ -117,6 +110,28 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
             }
         }
 }
+
+private fun programOf(words: CommandWords): CommandLine =
+    CommandLine(GraderProgram(words))
+        .addSubcommand(ServeCommand(words))
+        .addSubcommand(BackupCommand(words))
+        .addSubcommand(RestoreCommand(words))
+        .addSubcommand(TokenCommand())
+        .addSubcommand(
+            CommandLine(CourseCommand(words))
+                .addSubcommand(CourseListCommand())
+                .addSubcommand(CourseRosterCommand(words))
+                .addSubcommand(CourseRulesCommand())
+                .addSubcommand(CourseExtendCommand())
+                .addSubcommand(CourseCloneCommand())
+                .addSubcommand(CourseGradesCommand()),
+        ).addSubcommand(
+            CommandLine(StaffCommand(words))
+                .addSubcommand(StaffListCommand())
+                .addSubcommand(StaffAddCommand())
+                .addSubcommand(StaffTokenCommand())
+                .addSubcommand(StaffRevokeCommand()),
+        ).addSubcommand(HelpCommand())
 
 /** An empty name would stand for the folder that the server is started in. */
 private fun named(path: String): Path =

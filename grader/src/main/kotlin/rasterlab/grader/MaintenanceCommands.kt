@@ -123,7 +123,7 @@ internal class TokenCommand : Callable<Int> {
                 if (who == INSTRUCTOR) {
                     accounts.renewInstructor() ?: throw CannotStart(Reason.NO_INSTRUCTOR, file)
                 } else {
-                    accounts.renewStudent(who, key = null) ?: throw CannotStart(Reason.NO_STUDENT, who)
+                    accounts.renewStudent(who, by = "command", key = null) ?: throw CannotStart(Reason.NO_STUDENT, who)
                 }
             spec.commandLine().out.println("${if (who == INSTRUCTOR) who else "student"} token: $token")
         }

@@ -21,12 +21,15 @@ import kotlinx.coroutines.withContext
 import rasterlab.exercises.Grading
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.RosterImport
+import rasterlab.grader.course.Staff
 import rasterlab.grader.course.byToken
 import rasterlab.grader.course.courses
 import rasterlab.grader.course.joining
 import rasterlab.grader.course.roster
+import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
 import rasterlab.grader.forwarding.Forwarding
@@ -108,6 +111,8 @@ class Server(
 ) : AutoCloseable {
     val accounts = Accounts(database, clock)
     private val courses = Courses(database, clock)
+    private val staff = Staff(database, clock)
+    private val audit = Audit(database)
     private val rules = CourseRules(database, clock)
     private val roster = RosterImport(database, clock)
     private val marks = Marks(database)
@@ -133,6 +138,8 @@ class Server(
         PageParts(
             accounts,
             courses,
+            staff,
+            audit,
             rules,
             clones,
             roster,
@@ -185,6 +192,7 @@ class Server(
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
                     courses(courses, accounts)
+                    staff(staff, audit)
                     roster(courses, roster)
                     grades(grades)
                     exercises(exercises, sheets::starter, rules::of, submissions::standingOf)

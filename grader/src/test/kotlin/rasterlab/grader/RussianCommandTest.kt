@@ -59,6 +59,11 @@ class RussianCommandTest {
             "course rules --help",
             "course extend --help",
             "course grades --help",
+            "staff --help",
+            "staff list --help",
+            "staff add --help",
+            "staff token --help",
+            "staff revoke --help",
         ],
     )
     fun `help is Russian`(call: String) {
@@ -143,7 +148,7 @@ class RussianCommandTest {
         assertEquals(2, run(*call.split(" ").toTypedArray()))
         val said = printed.toString()
         assertTrue(Regex("unknown command 'nope'|неизвестная команда «nope»").containsMatchIn(said), said)
-        assertTrue(said.trim().endsWith("serve, backup, restore, token, course, help"), said)
+        assertTrue(said.trim().endsWith("serve, backup, restore, token, course, staff, help"), said)
     }
 
     @ParameterizedTest(name = "the help of {0} in Russian breaks a line that was broken already")
@@ -186,7 +191,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*",
+                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

@@ -6,15 +6,16 @@ import rasterlab.grader.storage.text
 import java.time.Instant
 
 /**
- * Tells later who changed something in a course; nothing secret goes into it.
+ * Tells later who changed something; nothing secret goes into it.
  *
  * @param by id of the account, or "command"
+ * @param course in which it was changed; null for what belongs to the whole server
  * @param action one word
  * @param subject what was changed
  */
 internal class AuditNote(
     private val by: String,
-    private val course: String,
+    private val course: String?,
     private val action: String,
     private val subject: String,
     private val detail: String,

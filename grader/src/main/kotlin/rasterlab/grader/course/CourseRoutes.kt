@@ -2,6 +2,7 @@ package rasterlab.grader.course
 
 import io.ktor.http.HttpStatusCode.Companion.Created
 import io.ktor.server.routing.Route
+import io.ktor.server.routing.delete
 import io.ktor.server.routing.get
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
@@ -25,6 +26,12 @@ private data class JoinResponse(
 )
 
 @Serializable
+private data class RevokedAnswer(
+    val student: String,
+    val revokedAt: String,
+)
+
+@Serializable
 private data class StudentAnswer(
     val student: String,
     val number: Int,
@@ -45,17 +52,23 @@ fun Route.courses(
         call.respondJson(CourseAnswer(course.id, course.code), Created)
     }
     get("/courses/{course}/students") {
-        call.instructor()
+        call.staff()
         val course = call.parameters.getOrFail("course")
         val students = courses.students(course) ?: throw Rejection.UnknownCourse(course)
         call.respondJson(students.map { StudentAnswer(it.id, it.number, it.name, it.shownName, it.joinedAt.text()) })
     }
     post("/students/{student}/token") {
-        call.instructor()
+        val instructor = call.instructor()
         val student = call.parameters.getOrFail("student")
         val token =
-            accounts.renewStudent(student, call.idempotencyKey()) ?: throw Rejection.UnknownStudent(student)
+            accounts.renewStudent(student, instructor.id, call.idempotencyKey())
+                ?: throw Rejection.UnknownStudent(student)
         call.respondJson(JoinResponse(student, token), Created)
+    }
+    delete("/students/{student}/token") {
+        val instructor = call.instructor()
+        val student = call.parameters.getOrFail("student")
+        call.respondJson(RevokedAnswer(student, accounts.revokeStudent(student, instructor.id).text()))
     }
 }
 

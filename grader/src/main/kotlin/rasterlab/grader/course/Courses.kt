@@ -52,7 +52,10 @@ class Courses(
         val request = Repeatable("courses ${by.id}", key, name.text)
         return database.write { handle ->
             request.made(handle)?.let { course(handle, "id", it) }
-                ?: insert(handle, name, clock.instant()).also { request.remember(handle, it.id, clock.instant()) }
+                ?: insert(handle, name, clock.instant()).also {
+                    AuditNote(by.id, it.id, "course", it.id, name.text).write(handle, clock.instant())
+                    request.remember(handle, it.id, clock.instant())
+                }
         }
     }
 

@@ -1,4 +1,4 @@
-// Who may do what: courses, students, the instructor, tokens and sessions. Start with Identity.
+// Who may do what: courses, students, staff, tokens and sessions. Start with Identity.
 package rasterlab.grader.course
 
 import io.ktor.server.application.ApplicationCall
@@ -9,13 +9,26 @@ import rasterlab.grader.problem.Rejection
 sealed interface Identity {
     val id: String
 
+    /** The name that people see; empty for the first instructor, whom nobody named. */
+    val name: String
+
+    /** Who teaches, and sees the work of all students with what is hidden from these. */
+    sealed interface Staff : Identity
+
     data class Instructor(
         override val id: String,
-    ) : Identity
+        override val name: String = "",
+    ) : Staff
+
+    /** Marks and comments; deletes nothing, takes no data away, and changes no rules, roster, staff or tokens. */
+    data class Assistant(
+        override val id: String,
+        override val name: String,
+    ) : Staff
 
     data class Student(
         override val id: String,
-        val name: String,
+        override val name: String,
         val course: String,
     ) : Identity
 }
@@ -25,6 +38,9 @@ fun ApplicationCall.identity(): Identity = principal<Identity>() ?: throw Reject
 
 fun ApplicationCall.student(): Identity.Student =
     identity() as? Identity.Student ?: throw Rejection.WrongRole("student")
+
+fun ApplicationCall.staff(): Identity.Staff =
+    identity() as? Identity.Staff ?: throw Rejection.WrongRole("instructor or assistant")
 
 fun ApplicationCall.instructor(): Identity.Instructor =
     identity() as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")

@@ -8,7 +8,7 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Courses
-import rasterlab.grader.course.instructor
+import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
@@ -68,7 +68,7 @@ fun Route.hints(
         call.respondJson(exercise.view(taken, language), Created)
     }
     get("/courses/{course}/exercises/{id}/hints") {
-        call.instructor()
+        call.staff()
         val course = call.parameters.getOrFail("course")
         courses.students(course) ?: throw Rejection.UnknownCourse(course)
         val exercise = exercises.named(call.parameters.getOrFail("id"))

@@ -77,6 +77,14 @@ sealed class Rejection(
         val id: String,
     ) : Rejection("no student '$id'", "unknown-student")
 
+    class UnknownStaff(
+        val id: String,
+    ) : Rejection("no instructor or assistant '$id'", "unknown-staff")
+
+    /** The only instructor keeps the access: nobody else could give any. */
+    class LastInstructor :
+        Rejection("this is the only instructor who has access; add another one first", "last-instructor")
+
     class Malformed(
         detail: String,
     ) : Rejection(detail, "malformed-request")
@@ -291,12 +299,12 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.WrongRole, is Rejection.ForeignOrigin -> Forbidden
         is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
-        is Rejection.UnknownCourse, is Rejection.UnknownStudent -> NotFound
+        is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
         is Rejection.BadSheet, is Rejection.BadAnswers, is Rejection.Explained -> UnprocessableEntity
-        is Rejection.NoMoreHints, is Rejection.HintOrder, is Rejection.Late -> Conflict
+        is Rejection.NoMoreHints, is Rejection.HintOrder, is Rejection.Late, is Rejection.LastInstructor -> Conflict
         is Rejection.NotOpen, is Rejection.NoAttemptsLeft, is Rejection.NothingToChoose -> Conflict
         is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge

@@ -32,6 +32,6 @@ fun CaseReport.isOpenTo(
     due: Due,
 ) = when (visibility()) {
     Disclosure.OPEN -> false
-    Disclosure.AFTER_DEADLINE -> who is Identity.Instructor || due.passed
-    else -> who is Identity.Instructor
+    Disclosure.AFTER_DEADLINE -> who is Identity.Staff || due.passed
+    else -> who is Identity.Staff
 }

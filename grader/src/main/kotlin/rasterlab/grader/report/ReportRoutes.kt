@@ -139,7 +139,7 @@ class Results(
     }
 }
 
-/** Serves results to the owner and to instructors, inside `authenticate`. */
+/** Serves results to the owner and to staff, inside `authenticate`. */
 fun Route.results(
     results: Results,
     live: Live,

@@ -99,7 +99,7 @@ class CourseRules(
             val after = change.of(before)
             if (after != before) {
                 store(handle, course, exercise, after)
-                note(handle, course, by, "rules", exercise, "$before -> $after")
+                note(handle, course, by, "rules", exercise, changes(before, after))
             }
             after
         }
@@ -216,6 +216,25 @@ class CourseRules(
         subject: String,
         detail: String,
     ) = AuditNote(by, course.id, action, subject, detail).write(handle, clock.instant())
+
+    /** The rules that changed, each with what it was and what it is. */
+    private fun changes(
+        before: ExerciseRules,
+        after: ExerciseRules,
+    ): String =
+        (values(before) zip values(after)).filter { (one, other) -> one != other }.joinToString { (one, other) ->
+            "${one.first.code}: ${one.second} → ${other.second}"
+        }
+
+    private fun values(rules: ExerciseRules): List<Pair<RuleField, String>> =
+        listOf(
+            RuleField.OPENS to rules.opens,
+            RuleField.DEADLINE to rules.due,
+            RuleField.ZONE to rules.zone.named(),
+            RuleField.LATE_DAYS to rules.lateDays,
+            RuleField.ATTEMPTS to rules.attempts,
+            RuleField.POLICY to rules.policy.code,
+        ).map { (field, value) -> field to (value?.toString() ?: "–") }
 
     private fun ofCourse(
         handle: Handle,

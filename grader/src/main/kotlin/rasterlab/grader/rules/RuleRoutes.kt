@@ -11,6 +11,7 @@ import rasterlab.exercises.json.JsonFields
 import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.instructor
+import rasterlab.grader.course.staff
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
@@ -50,7 +51,7 @@ private data class AllRulesAnswer(
 )
 
 /**
- * Serves the rules of exercises to instructors, inside `authenticate`.
+ * Serves the rules of exercises to staff, inside `authenticate`, and lets instructors change them.
  *
  * @param ids of the exercises there are
  * @param known throws the rejection of an exercise that there is not
@@ -62,7 +63,7 @@ fun Route.exerciseRules(
     known: (String) -> Unit,
 ) {
     get("/courses/{course}/exercises") {
-        call.instructor()
+        call.staff()
         val course = call.course(courses)
         val set = rules.ofCourse(course)
         call.respondJson(

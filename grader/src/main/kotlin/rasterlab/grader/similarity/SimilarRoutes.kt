@@ -11,6 +11,7 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.instructor
+import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
@@ -41,13 +42,13 @@ private data class LikenessAnswer(
     val leftOut: List<ProgramAnswer>,
 )
 
-/** Serves what is alike to instructors, inside `authenticate`; and all programs, for other tools. */
+/** Serves what is alike to staff, inside `authenticate`; and all programs to instructors, for other tools. */
 fun Route.similarity(
     exercises: Exercises,
     similar: Similar,
 ) {
     get("/exercises/{id}/similarity") {
-        call.instructor()
+        call.staff()
         val report = similar.of(exercises.written(call.parameters.getOrFail("id")))
         call.respondJson(
             LikenessAnswer(report.programs, report.pairs.map(::answer), report.leftOut.map(::answer)),

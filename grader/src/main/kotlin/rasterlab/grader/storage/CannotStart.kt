@@ -44,6 +44,8 @@ class CannotStart(
         NO_DATABASE("no.database"),
         NO_INSTRUCTOR("no.instructor"),
         NO_STUDENT("no.student"),
+        NO_STAFF("no.staff"),
+        LAST_INSTRUCTOR("last.instructor"),
         NO_COURSE("no.course"),
         NO_EXERCISE("no.exercise"),
         ROSTER_FILE("roster.file"),

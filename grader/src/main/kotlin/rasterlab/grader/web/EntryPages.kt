@@ -34,7 +34,7 @@ fun Route.welcome(accounts: Accounts) {
     get("/") {
         when (call.visitor(accounts)) {
             is Identity.Student -> call.respondRedirect("/exercises")
-            is Identity.Instructor -> call.respondRedirect("/instructor")
+            is Identity.Staff -> call.respondRedirect("/instructor")
             null -> call.respondWelcome(problem = null)
         }
     }

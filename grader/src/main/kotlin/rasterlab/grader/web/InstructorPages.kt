@@ -50,15 +50,15 @@ fun Route.instructorPages(
     isolation: Isolation,
 ) {
     get("/instructor") {
-        call.respondDesk(call.instructorHere(accounts), courses, exercises, submissions, hints.latest(), isolation)
+        call.respondDesk(call.staffHere(accounts), courses, exercises, submissions, hints.latest(), isolation)
     }
     get("/instructor/latest") {
-        call.instructorHere(accounts)
+        call.staffHere(accounts)
         val texts = call.texts()
         call.respondFragment(createHTML(prettyPrint = false).div { latest(texts, exercises, submissions) })
     }
     get("/instructor/events") {
-        call.instructorHere(accounts)
+        call.staffHere(accounts)
         call.respondEvents {
             onEachChange(live, submission = null) {
                 send("{}", event = "changed")
@@ -76,28 +76,43 @@ fun Route.instructorPages(
         call.requireOwnForm()
         val who = call.instructorHere(accounts)
         val student = call.parameters.getOrFail("student")
-        val token = accounts.renewStudent(student, key = null) ?: throw Rejection.UnknownStudent(student)
-        call.respondToken(who, accounts.holder(token), token)
+        val token = accounts.renewStudent(student, who.id, key = null) ?: throw Rejection.UnknownStudent(student)
+        val holder = accounts.holder(token) as? Identity.Student
+        call.respondToken(who, holder?.name.orEmpty(), token, "/instructor", "token.back")
+    }
+    post("/instructor/students/{student}/revoke") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val student = call.parameters.getOrFail("student")
+        accounts.revokeStudent(student, who.id)
+        call.respondRedirect("/instructor/students/$student")
     }
 }
 
-private suspend fun ApplicationCall.respondToken(
+/**
+ * Answers with a new token, this once.
+ *
+ * @param back text of the link that leads on to the page [to]
+ */
+internal suspend fun ApplicationCall.respondToken(
     who: Identity.Instructor,
-    student: Identity?,
+    name: String,
     token: String,
+    to: String,
+    back: String,
 ) {
     val texts = texts()
-    respondPage(texts, who, texts.say("token.title", (student as? Identity.Student)?.name.orEmpty())) {
+    respondPage(texts, who, texts.say("token.title", name)) {
         section("card") {
             p { +texts.say("token.keep") }
             p { code("token") { +token } }
-            p { a("/instructor", classes = "button") { +texts.say("token.back") } }
+            p { a(to, classes = "button") { +texts.say(back) } }
         }
     }
 }
 
 private suspend fun ApplicationCall.respondDesk(
-    who: Identity.Instructor,
+    who: Identity.Staff,
     courses: Courses,
     exercises: Exercises,
     submissions: Submissions,
@@ -106,17 +121,22 @@ private suspend fun ApplicationCall.respondDesk(
 ) {
     val texts = texts()
     val students = courses.all().associateWith { courses.students(it.id).orEmpty() }
-    respondPage(texts, who, texts.say("instructor.title")) {
+    val mayChange = who is Identity.Instructor
+    respondPage(texts, who, texts.say(if (mayChange) "instructor.title" else "assistant.title")) {
         div("columns") {
             section("card") {
                 h2 { +texts.say("instructor.courses") }
-                courseList(texts, students)
+                courseList(texts, students, mayChange)
             }
-            section("card") {
-                h2 { +texts.say("instructor.create") }
-                form("/instructor/courses", method = FormMethod.post) {
-                    field(texts.say("instructor.course.name"), "name")
-                    button { +texts.say("instructor.create.do") }
+            if (mayChange) {
+                creation(texts)
+                section("card") {
+                    h2 { +texts.say("staff.title") }
+                    p { +texts.say("staff.about") }
+                    p("ways") {
+                        a("/instructor/staff") { +texts.say("staff.open") }
+                        a("/instructor/audit") { +texts.say("audit.open") }
+                    }
                 }
             }
             section("card") {
@@ -138,11 +158,22 @@ private suspend fun ApplicationCall.respondDesk(
     }
 }
 
+private fun FlowContent.creation(texts: PageTexts) =
+    section("card") {
+        h2 { +texts.say("instructor.create") }
+        form("/instructor/courses", method = FormMethod.post) {
+            field(texts.say("instructor.course.name"), "name")
+            button { +texts.say("instructor.create.do") }
+        }
+    }
+
+/** @param mayChange whether who looks may change courses, and not only see them */
 private fun FlowContent.courseList(
     texts: PageTexts,
     courses: Map<Course, List<Enrolled>>,
+    mayChange: Boolean,
 ) {
-    if (courses.isEmpty()) p { +texts.say("instructor.none") }
+    if (courses.isEmpty()) p { +texts.say(if (mayChange) "instructor.none" else "assistant.none") }
     ul("courses") {
         courses.forEach { (course, students) ->
             li {
@@ -154,11 +185,11 @@ private fun FlowContent.courseList(
                 p("ways") {
                     a("/instructor/courses/${course.id}/students") { +texts.say("instructor.roster") }
                     a("/instructor/courses/${course.id}/exercises") { +texts.say("instructor.rules") }
-                    a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }
+                    if (mayChange) a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }
                 }
                 details {
                     summary { +texts.say("instructor.students", students.size) }
-                    studentList(texts, students)
+                    studentList(texts, students, mayChange)
                 }
             }
         }
@@ -168,17 +199,25 @@ private fun FlowContent.courseList(
 private fun FlowContent.studentList(
     texts: PageTexts,
     students: List<Enrolled>,
+    mayChange: Boolean,
 ) = ul {
     students.forEach { student ->
         li {
             +"${student.shownName} "
-            form("/instructor/students/${student.id}/token", method = FormMethod.post) {
-                button(classes = "plain") {
-                    attributes["aria-label"] = "${texts.say("instructor.token")}: ${student.shownName}"
-                    +texts.say("instructor.token")
-                }
-            }
+            if (mayChange) newTokenButton(texts, "/instructor/students/${student.id}/token", student.shownName)
         }
+    }
+}
+
+/** A form of one button, which makes a new token for [name]. */
+internal fun FlowContent.newTokenButton(
+    texts: PageTexts,
+    address: String,
+    name: String,
+) = form(address, method = FormMethod.post) {
+    button(classes = "plain") {
+        attributes["aria-label"] = "${texts.say("instructor.token")}: $name"
+        +texts.say("instructor.token")
     }
 }
 

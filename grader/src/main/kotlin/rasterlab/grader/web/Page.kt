@@ -34,6 +34,7 @@ import kotlinx.html.script
 import kotlinx.html.span
 import kotlinx.html.title
 import rasterlab.grader.course.Identity
+import rasterlab.grader.course.StaffRole
 import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.submission.HandedForm
 
@@ -86,9 +87,9 @@ private fun FlowContent.navigation(
 ) = nav {
     a("/", classes = "brand") { +texts.say("app") }
     if (who != null) a("/exercises") { +texts.say("nav.exercises") }
-    if (who is Identity.Instructor) a("/instructor") { +texts.say("nav.instructor") }
+    if (who is Identity.Staff) a("/instructor") { +texts.say("nav.${StaffRole.of(who).code}") }
     span("spread") {}
-    if (who is Identity.Student) span("who") { +who.name }
+    if (who != null && who.name.isNotEmpty()) span("who") { +who.name }
     LANGUAGES.filter { it != texts.language }.forEach { other ->
         val label = "${texts.say("nav.language")}: $other"
         if (form == null) {

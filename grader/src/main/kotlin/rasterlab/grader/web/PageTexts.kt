@@ -27,6 +27,9 @@ class PageTexts private constructor(
     /** The name of a kind of picture; the kind itself where there is none. */
     fun picture(kind: String): String = if (wording.has("picture.$kind")) say("picture.$kind") else kind
 
+    /** The name of a change that was noted; the word of the note where there is none. */
+    fun action(word: String): String = if (wording.has("audit.action.$word")) say("audit.action.$word") else word
+
     /** The unit of the times, as it stands behind "per"; in English where it has no translation. */
     fun item(english: String): String = own("item", english)
 

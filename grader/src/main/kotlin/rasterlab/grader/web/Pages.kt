@@ -10,8 +10,10 @@ import io.ktor.server.plugins.ratelimit.rateLimit
 import io.ktor.server.routing.Route
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.RosterImport
+import rasterlab.grader.course.Staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.report.Results
@@ -46,12 +48,16 @@ fun Route.pages(
     rosterPages(accounts, courses, roster, submissions, marks)
     studentPages(accounts, exercises, submissions, records)
     clonePages(accounts, courses, clones)
+    staffPages(accounts, staff)
+    auditPages(accounts, audit)
 }
 
 /** The services that the pages ask. */
 class PageParts(
     val accounts: Accounts,
     val courses: Courses,
+    val staff: Staff,
+    val audit: Audit,
     val rules: CourseRules,
     val clones: CourseClones,
     val roster: RosterImport,

@@ -36,7 +36,7 @@ fun Route.resultPages(
         val who = call.someone(accounts)
         val submission = submissions.seenBy(who, call.submissionId())
         val title = exercises.find(submission.exercise)?.title(call.texts().language) ?: submission.exercise
-        val student = submissions.listed(submission.id)?.student.takeIf { who is Identity.Instructor }
+        val student = submissions.listed(submission.id)?.student.takeIf { who is Identity.Staff }
         call.respondResult(who, submission, listOfNotNull(student, title).joinToString(" — "), results, exercises)
     }
     get("/submissions/{id}/fragment") {

@@ -49,7 +49,7 @@ import java.util.Base64
 private const val FILE = "roster"
 private const val SEEN = "seen"
 
-/** Shows an instructor who is in a course, and takes rosters: it tells what would change, and then changes it. */
+/** Shows staff who is in a course, and takes rosters from instructors: it tells what would change, and then changes it. */
 fun Route.rosterPages(
     accounts: Accounts,
     courses: Courses,
@@ -58,7 +58,7 @@ fun Route.rosterPages(
     marks: Marks,
 ) {
     get("/instructor/courses/{course}/students") {
-        val who = call.instructorHere(accounts)
+        val who = call.staffHere(accounts)
         RosterDesk(call.courseOf(courses), courses, submissions, marks).show(call, who, refused = null)
     }
     post("/instructor/courses/{course}/students") {
@@ -106,7 +106,7 @@ private class RosterDesk(
 
     suspend fun show(
         call: ApplicationCall,
-        who: Identity.Instructor,
+        who: Identity.Staff,
         refused: Refused?,
     ) {
         val texts = call.texts()
@@ -116,9 +116,10 @@ private class RosterDesk(
         call.respondPage(texts, who, texts.say("roster.title", course.name), refused?.status ?: HttpStatusCode.OK) {
             refused?.let { problem(texts, it.status, it.code, it.details) }
             p { a("/instructor") { +texts.say("token.back") } }
+            val mayChange = who is Identity.Instructor
             if (students.isEmpty()) p { +texts.say("roster.none", course.code) }
-            if (students.isNotEmpty()) studentTable(texts, students, made, points)
-            upload(texts)
+            if (students.isNotEmpty()) studentTable(texts, students, made, points, mayChange)
+            if (mayChange) upload(texts)
         }
     }
 
@@ -191,23 +192,20 @@ private fun FlowContent.studentTable(
     students: List<Enrolled>,
     made: Map<String, Int>,
     points: Map<String, Int>,
+    mayChange: Boolean,
 ) {
     fun said(vararg columns: String) = columns.map { texts.say("roster.column.$it") }
     val numbers = said("number", "attempts", "points").toSet()
-    rows(said("number", "student", "attempts", "points", "entry"), numbers) {
+    val columns = listOfNotNull("number", "student", "attempts", "points", "entry".takeIf { mayChange })
+    rows(said(*columns.toTypedArray()), numbers) {
         students.forEach { student ->
             tr {
                 td("number") { +"${student.number}" }
                 td { a("/instructor/students/${student.id}") { +student.shownName } }
                 td("number") { +"${made[student.id] ?: 0}" }
                 td("number") { +(points[student.id]?.toString() ?: "–") }
-                td {
-                    form("/instructor/students/${student.id}/token", method = FormMethod.post) {
-                        button(classes = "plain") {
-                            attributes["aria-label"] = "${texts.say("instructor.token")}: ${student.shownName}"
-                            +texts.say("instructor.token")
-                        }
-                    }
+                if (mayChange) {
+                    td { newTokenButton(texts, "/instructor/students/${student.id}/token", student.shownName) }
                 }
             }
         }

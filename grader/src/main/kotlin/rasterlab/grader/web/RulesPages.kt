@@ -29,7 +29,7 @@ import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.rules.RuleChange
 import rasterlab.grader.rules.RuleField
 
-/** Shows an instructor what a course rules for its exercises, and takes changes. */
+/** Shows staff what a course rules for its exercises, and takes changes from instructors. */
 fun Route.rulesPages(
     accounts: Accounts,
     courses: Courses,
@@ -37,7 +37,7 @@ fun Route.rulesPages(
     rules: CourseRules,
 ) {
     get("/instructor/courses/{course}/exercises") {
-        val who = call.instructorHere(accounts)
+        val who = call.staffHere(accounts)
         val course = call.courseOf(courses)
         call.respondRules(who, course, exercises, rules.ofCourse(course))
     }
@@ -80,7 +80,7 @@ private fun Parameters.rules(): Map<RuleField, String> =
     RuleField.entries.mapNotNull { field -> get(field.code)?.let { field to it } }.toMap()
 
 private suspend fun ApplicationCall.respondRules(
-    who: Identity.Instructor,
+    who: Identity.Staff,
     course: Course,
     exercises: Exercises,
     set: Map<String, ExerciseRules>,
@@ -100,7 +100,10 @@ private suspend fun ApplicationCall.respondRules(
                     exercises.all.forEach { exercise ->
                         val rules = set[exercise.id()] ?: ExerciseRules()
                         tr {
-                            td { a(rulesAddress(course, exercise)) { +exercise.title(texts.language) } }
+                            td {
+                                val title = exercise.title(texts.language)
+                                if (who is Identity.Instructor) a(rulesAddress(course, exercise)) { +title } else +title
+                            }
                             td { +rules.opens?.forPeople(rules.zone).orEmpty() }
                             td { +rules.due?.forPeople(rules.zone).orEmpty() }
                             td { +rules.lateDays?.toString().orEmpty() }

@@ -54,6 +54,9 @@ fun ApplicationCall.visitor(accounts: Accounts): Identity? = sessionCookie()?.le
 fun ApplicationCall.studentHere(accounts: Accounts): Identity.Student =
     someone(accounts) as? Identity.Student ?: throw Rejection.WrongRole("student")
 
+fun ApplicationCall.staffHere(accounts: Accounts): Identity.Staff =
+    someone(accounts) as? Identity.Staff ?: throw Rejection.WrongRole("instructor or assistant")
+
 fun ApplicationCall.instructorHere(accounts: Accounts): Identity.Instructor =
     someone(accounts) as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")
 

@@ -39,14 +39,14 @@ import rasterlab.grader.similarity.respondPrograms
 import rasterlab.grader.similarity.written
 import kotlin.math.roundToInt
 
-/** Programs that are alike, for the instructor: a list of pairs, and two of them side by side. */
+/** Programs that are alike, for staff: a list of pairs, and two of them side by side. */
 fun Route.similarPages(
     accounts: Accounts,
     exercises: Exercises,
     similar: Similar,
 ) {
     get("/instructor/exercises/{id}/similarity") {
-        val who = call.instructorHere(accounts)
+        val who = call.staffHere(accounts)
         val exercise = exercises.written(call.parameters.getOrFail("id"))
         call.respondPairs(who, exercise, similar.of(exercise))
     }
@@ -55,7 +55,7 @@ fun Route.similarPages(
         call.respondPrograms(exercises.written(call.parameters.getOrFail("id")), similar)
     }
     get("/instructor/exercises/{id}/similarity/{first}/{second}") {
-        val who = call.instructorHere(accounts)
+        val who = call.staffHere(accounts)
         val exercise = exercises.written(call.parameters.getOrFail("id"))
         val (first, second) =
             listOf("first", "second").map { place ->
@@ -80,7 +80,7 @@ fun FlowContent.similarLinks(
 }
 
 private suspend fun ApplicationCall.respondPairs(
-    who: Identity.Instructor,
+    who: Identity.Staff,
     exercise: Exercise,
     report: LikenessReport,
 ) {
@@ -89,7 +89,9 @@ private suspend fun ApplicationCall.respondPairs(
         p { +texts.say("similar.about") }
         p { +texts.say("similar.count", report.programs, report.leftOut.size) }
         if (report.pairs.isEmpty()) p { +texts.say("similar.none") } else pairTable(texts, exercise, report.pairs)
-        p { a("/instructor/exercises/${exercise.id()}/programs.zip") { +texts.say("similar.export") } }
+        if (who is Identity.Instructor) {
+            p { a("/instructor/exercises/${exercise.id()}/programs.zip") { +texts.say("similar.export") } }
+        }
     }
 }
 
@@ -134,7 +136,7 @@ private fun address(
 ) = "/instructor/exercises/${exercise.id()}/similarity/${first.submission}/${second.submission}"
 
 private suspend fun ApplicationCall.respondSideBySide(
-    who: Identity.Instructor,
+    who: Identity.Staff,
     exercise: Exercise,
     first: HandedProgram,
     second: HandedProgram,

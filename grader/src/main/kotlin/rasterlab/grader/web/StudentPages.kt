@@ -15,6 +15,7 @@ import kotlinx.html.FormMethod
 import kotlinx.html.InputType
 import kotlinx.html.a
 import kotlinx.html.button
+import kotlinx.html.div
 import kotlinx.html.form
 import kotlinx.html.h2
 import kotlinx.html.input
@@ -31,8 +32,9 @@ import rasterlab.grader.student.KeptStudent
 import rasterlab.grader.student.StudentRecords
 import rasterlab.grader.student.respondZip
 import rasterlab.grader.submission.Submissions
+import java.time.Instant
 
-/** Shows an instructor one student: what they handed in, their data to take away, and their deletion. */
+/** Shows staff one student and what they handed in; an instructor their access, data to take away, and deletion too. */
 fun Route.studentPages(
     accounts: Accounts,
     exercises: Exercises,
@@ -40,8 +42,9 @@ fun Route.studentPages(
     records: StudentRecords,
 ) {
     get("/instructor/students/{student}") {
-        val who = call.instructorHere(accounts)
-        call.respondStudent(who, records.look(call.studentAsked()), exercises, submissions)
+        val who = call.staffHere(accounts)
+        val kept = records.look(call.studentAsked())
+        call.respondStudent(who, kept, accounts.revokedSince(kept.student), exercises, submissions)
     }
     get("/instructor/students/{student}/data.json") {
         val kept = records.export(call.studentAsked(), call.instructorHere(accounts).id)
@@ -63,8 +66,9 @@ fun Route.studentPages(
 private fun ApplicationCall.studentAsked() = parameters.getOrFail("student")
 
 private suspend fun ApplicationCall.respondStudent(
-    who: Identity.Instructor,
+    who: Identity.Staff,
     kept: KeptStudent,
+    revokedSince: Instant?,
     exercises: Exercises,
     submissions: Submissions,
 ) {
@@ -74,15 +78,40 @@ private suspend fun ApplicationCall.respondStudent(
         p("plan") { +texts.say("student.about", kept.number, kept.joinedAt.take(DAY_LENGTH)) }
         val rows = submissions.allOf(kept.student)
         if (rows.isEmpty()) p { +texts.say("exercise.mine.none") } else classTable(texts, exercises, rows)
-        section("card apart") {
-            h2 { +texts.say("student.data") }
-            p { +texts.say("student.data.about") }
-            p("ways") {
-                a("/instructor/students/${kept.student}/data.zip") { +"ZIP" }
-                a("/instructor/students/${kept.student}/data.json") { +"JSON" }
+        if (who is Identity.Instructor) {
+            section("card apart") { access(texts, kept, revokedSince) }
+            section("card apart") {
+                h2 { +texts.say("student.data") }
+                p { +texts.say("student.data.about") }
+                p("ways") {
+                    a("/instructor/students/${kept.student}/data.zip") { +"ZIP" }
+                    a("/instructor/students/${kept.student}/data.json") { +"JSON" }
+                }
+            }
+            section("card apart") { deletion(texts, kept) }
+        }
+    }
+}
+
+private fun FlowContent.access(
+    texts: PageTexts,
+    kept: KeptStudent,
+    revokedSince: Instant?,
+) {
+    val address = "/instructor/students/${kept.student}"
+    h2 { +texts.say("student.access") }
+    if (revokedSince == null) {
+        p { +texts.say("student.access.about") }
+    } else {
+        p { +texts.say("student.access.none", revokedSince.forPeople()) }
+    }
+    div("ways") {
+        newTokenButton(texts, "$address/token", kept.shownName)
+        if (revokedSince == null) {
+            form("$address/revoke", method = FormMethod.post) {
+                button(classes = "plain") { +texts.say("student.access.revoke") }
             }
         }
-        section("card apart") { deletion(texts, kept) }
     }
 }
 

@@ -22,6 +22,13 @@ private val MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm").withZone(Zo
 
 fun Instant.forPeople(): String = MINUTE.format(this)
 
+/** A moment that breaks only between day and time. */
+internal fun FlowOrPhrasingContent.moment(at: Instant) =
+    at.forPeople().split(' ').forEach {
+        span("unbroken") { +it }
+        +" "
+    }
+
 /** One student's attempts at one exercise. */
 fun FlowContent.attemptTable(
     texts: PageTexts,
@@ -92,10 +99,7 @@ private fun FlowContent.listing(
                         }
                     }
                     td {
-                        row.submission.receivedAt.forPeople().split(' ').forEach {
-                            span("unbroken") { +it }
-                            +" "
-                        }
+                        moment(row.submission.receivedAt)
                         if (row.late) span("late") { +texts.say("table.late") }
                     }
                 }

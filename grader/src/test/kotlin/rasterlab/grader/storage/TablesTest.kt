@@ -41,6 +41,27 @@ class TablesTest {
             assertEquals(columns(sqlite), columns(postgres.source))
         }
 
+    @Test
+    @DisplayName(
+        "who taught before is shut out, what was noted of them is lost, or only what belongs to a course is noted",
+    )
+    fun keepsStaffAndWhatTheyDid() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("13")
+                source.execute(
+                    "INSERT INTO courses (id, name, code, created_at) VALUES ('c', 'Graphics', 'CODE', '$THEN')",
+                )
+                source.execute("INSERT INTO instructors (id, token_hash, created_at) VALUES ('i', 'hash', '$THEN')")
+                source.execute("INSERT INTO audit VALUES ('n', '$THEN', 'i', 'c', 'rules', 'draw-dot', 'more')")
+                Tables(source).migrate()
+                source.assertRows("id, name, role, revoked_at FROM instructors", "i  instructor null")
+                source.assertRows("* FROM audit", "n $THEN i c rules draw-dot more")
+                source.execute("INSERT INTO audit VALUES ('m', '$THEN', 'i', NULL, 'staff-add', 'j', '')")
+                source.assertRows("course_id FROM audit", "c", "null")
+            }
+        }
+
     private fun sqlite(): DataSource =
         SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
             .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }

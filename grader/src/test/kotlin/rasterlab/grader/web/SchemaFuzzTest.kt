@@ -26,9 +26,11 @@ import rasterlab.grader.Classroom
 import rasterlab.grader.ServerSettings
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer
+import rasterlab.grader.course.Staff
 import rasterlab.grader.json
 import rasterlab.grader.text
 import java.nio.file.Path
+import java.time.InstantSource
 import kotlin.random.Random
 
 /**
@@ -88,6 +90,7 @@ class SchemaFuzzTest {
             "course" to listOf(course),
             "id" to listOf("draw-dot", id),
             "student" to listOf(all.last().path("student").asText()),
+            "staff" to listOf(Staff(database, InstantSource.system()).all().first().id),
             "case" to listOf("open-case", "hidden-case"),
             "picture" to listOf("expected.png", "actual.png"),
             "name" to listOf("dot.svg"),

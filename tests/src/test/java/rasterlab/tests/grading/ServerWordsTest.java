@@ -48,6 +48,8 @@ class ServerWordsTest {
                     Rejection.UnknownLanguage.class,
                     Rejection.UnknownScene.class,
                     Rejection.UnknownStudent.class,
+                    Rejection.UnknownStaff.class,
+                    Rejection.LastInstructor.class,
                     Rejection.WrongMethod.class,
                     Rejection.WrongMediaType.class);
 

@@ -1,0 +1,103 @@
+package rasterlab.grader.course
+
+import org.jdbi.v3.core.Handle
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.storage.Database
+import java.sql.ResultSet
+import java.time.Instant
+
+/**
+ * A change as it was noted.
+ *
+ * @param by id of the account, or "command" for the server's machine
+ * @param byName the name of that account; empty where it has none
+ * @param role of that account; empty for the server's machine
+ * @param course its name; null for what belongs to the whole server
+ * @param subjectName what the id in [subject] is called; null where it is none, or is gone
+ */
+data class AuditEntry(
+    val id: String,
+    val notedAt: Instant,
+    val by: String,
+    val byName: String,
+    val role: String,
+    val course: String?,
+    val action: String,
+    val subject: String,
+    val subjectName: String?,
+    val detail: String,
+)
+
+/** @param next id behind which earlier entries begin; null where there are none */
+data class AuditPage(
+    val entries: List<AuditEntry>,
+    val next: String?,
+)
+
+/** Reads what staff changed, the latest first. */
+class Audit(
+    private val database: Database,
+) {
+    /**
+     * Reads a page of at most [PAGE] changes.
+     *
+     * @param before id of the last entry that was read; null to begin with the latest
+     * @throws Rejection.Malformed where no entry has that id
+     */
+    fun page(before: String?): AuditPage =
+        database.read { handle ->
+            if (before != null &&
+                !exists(handle, before)
+            ) {
+                throw Rejection.Malformed("before is '$before', no entry's id")
+            }
+            val read =
+                handle
+                    .createQuery("$SELECT ${if (before == null) "" else EARLIER} $ORDER LIMIT ${PAGE + 1}")
+                    .apply { if (before != null) bind("before", before) }
+                    .map { row, _ -> entry(row) }
+                    .list()
+            AuditPage(read.take(PAGE), read.getOrNull(PAGE - 1)?.id?.takeIf { read.size > PAGE })
+        }
+
+    private fun exists(
+        handle: Handle,
+        id: String,
+    ) = handle
+        .createQuery("SELECT count(*) FROM audit WHERE id = :id")
+        .bind("id", id)
+        .mapTo(Int::class.javaObjectType)
+        .one() > 0
+
+    private fun entry(row: ResultSet) =
+        AuditEntry(
+            row.getString("id"),
+            Instant.parse(row.getString("noted_at")),
+            row.getString("account_id"),
+            row.getString("by_name").orEmpty(),
+            row.getString("role").orEmpty(),
+            row.getString("course_name"),
+            row.getString("action"),
+            row.getString("subject"),
+            row.getString("subject_name"),
+            row.getString("detail"),
+        )
+
+    companion object {
+        const val PAGE = 50
+
+        private const val SELECT =
+            """SELECT audit.*, doers.name AS by_name, doers.role, courses.name AS course_name,
+                   coalesce(students.shown_name, others.name, earlier.name) AS subject_name
+               FROM audit
+               LEFT JOIN instructors AS doers ON doers.id = audit.account_id
+               LEFT JOIN courses ON courses.id = audit.course_id
+               LEFT JOIN students ON students.id = audit.subject
+               LEFT JOIN instructors AS others ON others.id = audit.subject
+               LEFT JOIN courses AS earlier ON earlier.id = audit.subject"""
+        private const val EARLIER =
+            """JOIN audit AS seen ON seen.id = :before
+               WHERE audit.noted_at < seen.noted_at OR (audit.noted_at = seen.noted_at AND audit.id < seen.id)"""
+        private const val ORDER = "ORDER BY audit.noted_at DESC, audit.id DESC"
+    }
+}

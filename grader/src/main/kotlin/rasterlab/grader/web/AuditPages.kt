@@ -1,0 +1,82 @@
+package rasterlab.grader.web
+
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import kotlinx.html.FlowContent
+import kotlinx.html.ThScope
+import kotlinx.html.a
+import kotlinx.html.div
+import kotlinx.html.p
+import kotlinx.html.table
+import kotlinx.html.tbody
+import kotlinx.html.td
+import kotlinx.html.th
+import kotlinx.html.thead
+import kotlinx.html.tr
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Audit
+import rasterlab.grader.course.AuditEntry
+import rasterlab.grader.course.AuditPage
+import rasterlab.grader.course.Identity
+
+/** Shows an instructor what staff changed, the latest first, a page at a time. */
+fun Route.auditPages(
+    accounts: Accounts,
+    audit: Audit,
+) = get("/instructor/audit") {
+    val who = call.instructorHere(accounts)
+    val before = call.request.queryParameters["before"]
+    call.respondAudit(who, audit.page(before), begins = before == null)
+}
+
+private suspend fun ApplicationCall.respondAudit(
+    who: Identity.Instructor,
+    page: AuditPage,
+    begins: Boolean,
+) {
+    val texts = texts()
+    respondPage(texts, who, texts.say("audit.title")) {
+        p { a("/instructor") { +texts.say("token.back") } }
+        p("plan") { +texts.say("audit.about") }
+        if (page.entries.isEmpty()) p { +texts.say("audit.none") } else changeTable(texts, page.entries)
+        p("ways") {
+            if (!begins) a("/instructor/audit") { +texts.say("audit.latest") }
+            page.next?.let { a("/instructor/audit?before=$it") { +texts.say("audit.earlier") } }
+        }
+    }
+}
+
+private fun FlowContent.changeTable(
+    texts: PageTexts,
+    entries: List<AuditEntry>,
+) = div("scroll") {
+    table("students") {
+        thead {
+            tr {
+                listOf("when", "who", "what", "subject", "course", "detail").forEach {
+                    th(scope = ThScope.col) { +texts.say("audit.column.$it") }
+                }
+            }
+        }
+        tbody {
+            entries.forEach { one ->
+                tr {
+                    td { moment(one.notedAt) }
+                    td { +texts.doer(one) }
+                    td { +texts.action(one.action) }
+                    td { +(one.subjectName ?: one.subject) }
+                    td { +one.course.orEmpty() }
+                    td { +one.detail }
+                }
+            }
+        }
+    }
+}
+
+private fun PageTexts.doer(one: AuditEntry): String =
+    when {
+        one.role.isEmpty() -> say("audit.command")
+        one.byName.isEmpty() -> say("staff.unnamed")
+        else -> one.byName
+    }
