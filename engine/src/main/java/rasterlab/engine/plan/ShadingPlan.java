@@ -59,7 +59,7 @@ record ShadingPlan(
         boolean[] drawn = shown.drawn(shown.seen());
         boolean[] now = drawn;
         if (left > 0) {
-            Sufficiency enough = Sufficiency.of(shown, drawn, left);
+            Sufficiency enough = Sufficiency.of(shown, left);
             if (enough.smooth) return facewise(shown, reads, enough, left, decisions);
             now = new MixedLight(shown.lights(shown.seen()), left).atPixels(drawn);
         }
@@ -105,17 +105,18 @@ record ShadingPlan(
         static final Sufficiency NEITHER = new Sufficiency(false, false, false);
 
         /** The sample is asked first: one face of it that needs more decides. */
-        static Sufficiency of(ShownFaces shown, boolean[] sampled, double left) {
+        static Sufficiency of(ShownFaces shown, double left) {
             Optional<MixedLight.Apart> always =
                     shown.known().apart(shown.request(), shown.fronts());
             if (always.isPresent()) return of(always.get(), left, true);
             // A lamp that goes with the eye would have to be proved again for each picture.
             if (shown.request().scene().light().atEye().isPresent()) return NEITHER;
+            boolean[] sampled = shown.drawn(shown.seen(), EYE_TURN);
             var few = new MixedLight(shown.lights(shown.seen()), left, EYE_TURN).apart(sampled);
             if (few.mixed() > left || shown.areas().whole()) return of(few, left, false);
             RequestView all = shown.all();
             var light = new MixedLight(shown.lights(all), left, EYE_TURN);
-            return of(light.apart(shown.drawn(all)), left, false);
+            return of(light.apart(shown.drawn(all, EYE_TURN)), left, false);
         }
 
         private static Sufficiency of(MixedLight.Apart apart, double left, boolean everywhere) {

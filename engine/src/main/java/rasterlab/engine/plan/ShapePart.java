@@ -18,6 +18,12 @@ import rasterlab.engine.scene.shape.SceneShape;
  * changes with its normals.
  */
 final class ShapePart {
+    /**
+     * Texels for a pixel, along both axes together: a mipmap has less than two of them in a pixel,
+     * and between neighbours the filter is linear.
+     */
+    private static final double TEXELS = 2 * Math.sqrt(2);
+
     private final SceneShape shape;
     private final int finish;
     private final double[][] corners;
@@ -25,6 +31,7 @@ final class ShapePart {
     private final double radius;
     private final Optional<ShapeSteps> full;
     private final double levelsPerRadian;
+    private final double levelsPerPixel;
     private final boolean any;
     private final Map<Integer, ShapeSteps> tried = new HashMap<>();
 
@@ -50,6 +57,12 @@ final class ShapePart {
         radius = farthest(mesh, scene, new double[] {middle(0), middle(1), middle(2)});
         full = ShapeSteps.found(scene, shape, finish);
         levelsPerRadian = levelsPerRadian(scene, finish);
+        levelsPerPixel =
+                scene.finishes()
+                        .get(finish)
+                        .texture()
+                        .map(laid -> TEXELS * TextureContrast.of(laid.texture(), 255))
+                        .orElse(0.0);
     }
 
     private double farthest(Mesh mesh, Scene scene, double[] from) {
@@ -97,14 +110,6 @@ final class ShapePart {
         return corners;
     }
 
-    /** Whether the boxes of two parts have nothing in common. */
-    boolean apart(ShapePart other) {
-        for (int axis = 0; axis < 3; axis++)
-            if (corners[7][axis] < other.corners[0][axis]
-                    || other.corners[7][axis] < corners[0][axis]) return true;
-        return false;
-    }
-
     /** The middle of that box. */
     double middle(int axis) {
         return (corners[0][axis] + corners[7][axis]) / 2;
@@ -128,6 +133,11 @@ final class ShapePart {
     /** Levels for each radian that a normal turns. */
     double levelsPerRadian() {
         return levelsPerRadian;
+    }
+
+    /** Levels for each pixel that its texture is moved by; 0 where it has none. */
+    double levelsPerPixel() {
+        return levelsPerPixel;
     }
 
     /** Measures the shape made in steps, once for the same ones. */

@@ -15,7 +15,8 @@ import rasterlab.engine.transform.ViewTransform;
  * <p>Both meshes, the full one and the coarser, lie within their own rise of the surface; together
  * these must stay below the tolerance where the part is nearest to the eye, so that what is far is
  * coarser. An angle ε between normals changes diffuse light by at most ε·k_d and a highlight by ε
- * times the steepest slope of cosˢ.
+ * times the steepest slope of cosˢ. A texture that is moved against the pixels shows what lies
+ * between them, which no pixel had: it may move by no more than its steepest slope allows.
  */
 final class ShapePlan {
     /** Meshes of fewer faces are left as they are. */
@@ -68,7 +69,7 @@ final class ShapePlan {
                 changed = narrow = true;
             } else {
                 ShapeSteps least = full.get();
-                if (least.faces() >= FEW && apart(part)) least = fewest(part, least);
+                if (least.faces() >= FEW && alone(part)) least = fewest(part, least);
                 changed |= least.faces() < full.get().faces();
                 any = true;
                 steps.addAll(List.of(least.u(), least.v()));
@@ -80,10 +81,13 @@ final class ShapePlan {
         return Optional.of(new Result(scene, decisions, narrow));
     }
 
-    /** Whether a part's box meets no other's: a line along which surfaces cross moves farther. */
-    private boolean apart(ShapePart part) {
+    /**
+     * Whether no other part is in sight. A line along which surfaces cross moves farther than they
+     * do, and what is seen of one past another's outline may be narrower than its way.
+     */
+    private boolean alone(ShapePart part) {
         for (ShapePart other : known.parts())
-            if (other != part && other.any() && !part.apart(other)) return false;
+            if (other != part && other.any() && !outOfSight(other)) return false;
         return true;
     }
 
@@ -109,7 +113,7 @@ final class ShapePlan {
     private PlanDecision told(ShapePart part, ShapeSteps least, ShapeSteps full) {
         boolean same = least.faces() == full.faces();
         double moved = same ? 0 : (least.sag() + full.sag()) * pixelsPerUnit(part);
-        double lit = same ? 0 : part.levelsPerRadian() * (least.bend() + full.bend());
+        double lit = same ? 0 : levels(least, part, full, pixelsPerUnit(part));
         return new PlanDecision(
                 "tessellation",
                 "part %d: %d×%d".formatted(part.finish() + 1, least.u(), least.v()),
@@ -168,7 +172,14 @@ final class ShapePlan {
 
     private boolean enough(ShapeSteps steps, ShapePart part, ShapeSteps full, double perUnit) {
         return (steps.sag() + full.sag()) * perUnit <= pixels
-                && (steps.bend() + full.bend()) * part.levelsPerRadian() <= levels;
+                && levels(steps, part, full, perUnit) <= levels;
+    }
+
+    /** The levels by which turned normals and a moved texture change what is seen. */
+    private static double levels(
+            ShapeSteps steps, ShapePart part, ShapeSteps full, double perUnit) {
+        return (steps.bend() + full.bend()) * part.levelsPerRadian()
+                + (steps.sag() + full.sag()) * perUnit * part.levelsPerPixel();
     }
 
     /**

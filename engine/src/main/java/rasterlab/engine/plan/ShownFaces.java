@@ -1,10 +1,12 @@
 package rasterlab.engine.plan;
 
+import java.util.Arrays;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.sight.SightFacts;
+import rasterlab.engine.visibility.OutlineFaces;
 
 /**
  * The faces that a picture shows, most questions about which a sample answers.
@@ -39,9 +41,14 @@ record ShownFaces(
 
     /** Which of some faces are drawn. */
     boolean[] drawn(RequestView faces) {
+        return drawn(faces, 0);
+    }
+
+    /** Which of some faces are drawn for an eye whose direction has turned by so many radians. */
+    boolean[] drawn(RequestView faces, double turn) {
+        if (fronts) return OutlineFaces.andFronts(faces.viewed(), turn);
         var drawn = new boolean[faces.viewed().mesh().faceCount()];
-        for (int f = 0; f < drawn.length; f++)
-            drawn[f] = !fronts || !faces.viewed().seenFromInside(f);
+        Arrays.fill(drawn, true);
         return drawn;
     }
 

@@ -16,6 +16,7 @@ import rasterlab.engine.sight.cost.Family;
 import rasterlab.engine.sight.cost.PictureWork;
 import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.NearnessPlane;
+import rasterlab.engine.visibility.OutlineFaces;
 import rasterlab.engine.visibility.ScreenPolygon;
 import rasterlab.engine.visibility.ViewedMesh;
 
@@ -54,11 +55,10 @@ public final class WorkCount {
         readsOfTextured = reads(request);
         mesh = view.mesh();
         boolean pipeline = Family.of(method) == Family.PIPELINE;
-        boolean fronts =
-                method.equals("convex") && !view.cutsOpen()
-                        || pipeline && request.look().savings().frontsOnly();
-        drawn = new boolean[mesh.faceCount()];
-        for (int f = 0; f < drawn.length; f++) drawn[f] = !fronts || !view.seenFromInside(f);
+        drawn =
+                pipeline && request.look().savings().frontsOnly()
+                        ? OutlineFaces.andFronts(view, 0)
+                        : drawn(method.equals("convex") && !view.cutsOpen());
         ShadingMethod shading = ShadingMethod.named(Renderer.shading(request).chosen());
         perCorner = shading == ShadingMethod.GOURAUD || shading == ShadingMethod.PHONG;
         double levels = request.look().savings().levels();
@@ -74,6 +74,12 @@ public final class WorkCount {
         paintsAll = Family.of(method) == Family.PAINTER;
         nearest = new float[request.width() * request.height()];
         Arrays.fill(nearest, Float.NEGATIVE_INFINITY);
+    }
+
+    private boolean[] drawn(boolean fronts) {
+        var faces = new boolean[mesh.faceCount()];
+        for (int f = 0; f < faces.length; f++) faces[f] = !fronts || !view.seenFromInside(f);
+        return faces;
     }
 
     /**

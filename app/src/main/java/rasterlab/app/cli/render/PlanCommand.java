@@ -39,6 +39,8 @@ import rasterlab.exercises.scene.SceneSetting;
         description = {
             "Finds the least that must be drawn of a scene to stay within a tolerance.",
             "It is held against the full pipeline: all faces by depth, the light formula at each pixel, mipmaps.",
+            "A pixel is within the tolerance if each channel is at most L levels beyond those that the other"
+                    + " picture has within PX pixels of it, both ways.",
             "Prints what is left out, by which proof or bound, and error and cost, predicted and measured."
         },
         footer = {

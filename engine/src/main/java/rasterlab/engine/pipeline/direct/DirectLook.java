@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.direct;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.pipeline.paint.FaceLights;
@@ -7,6 +8,7 @@ import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.surface.TexelFilter;
 import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.LaidTexture;
+import rasterlab.engine.visibility.OutlineFaces;
 
 /**
  * How a picture is lit and textured.
@@ -44,9 +46,9 @@ public record DirectLook(Light light, TextureMode texture, Savings savings) {
 
     /** Whether each face is drawn at all. */
     boolean[] drawn(FaceLights lights) {
+        if (savings.frontsOnly()) return OutlineFaces.andFronts(lights.view(), 0);
         var drawn = new boolean[lights.mesh().faceCount()];
-        for (int f = 0; f < drawn.length; f++)
-            drawn[f] = !(savings.frontsOnly() && lights.seenFromBehind(f));
+        Arrays.fill(drawn, true);
         return drawn;
     }
 

@@ -2,6 +2,7 @@ package rasterlab.engine.pipeline.paint;
 
 import java.util.Arrays;
 import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.visibility.OutlineFaces;
 
 /**
  * Phong's shading with fewer formulas: where light mixed from a face's corners is proved to be near
@@ -32,11 +33,20 @@ public final class MixedLight {
     }
 
     /**
-     * Tells which faces need the formula at each pixel.
+     * Tells which faces need the formula at each pixel. Those at the outline always do: among them
+     * the order of drawing tells which is seen, and the others are drawn first.
      *
      * @param drawn the faces that are asked for
      */
     public boolean[] atPixels(boolean[] drawn) {
+        boolean[] exact = beyond(drawn);
+        boolean[] outline = OutlineFaces.faces(lights.view());
+        for (int f = 0; f < exact.length; f++) exact[f] |= drawn[f] && outline[f];
+        return exact;
+    }
+
+    /** Tells on which of the drawn faces mixed light is not proved to be near enough. */
+    public boolean[] beyond(boolean[] drawn) {
         var exact = new boolean[drawn.length];
         for (int f = 0; f < exact.length; f++)
             exact[f] = drawn[f] && bound.levels(f) + ROOM > levels;
