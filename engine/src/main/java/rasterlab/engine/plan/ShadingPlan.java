@@ -150,7 +150,7 @@ record ShadingPlan(
         return all;
     }
 
-    private static int count(boolean[] faces) {
+    static int count(boolean[] faces) {
         int count = 0;
         for (boolean face : faces) if (face) count++;
         return count;

@@ -3,11 +3,13 @@ package rasterlab.app.cli.render;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.pipeline.Choice;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.plan.Plan;
 import rasterlab.engine.plan.Planner;
+import rasterlab.engine.plan.ShadingChoice;
 import rasterlab.engine.plan.Tolerance;
 
 /** Options of a picture that is drawn by the least model within a tolerance. */
@@ -27,7 +29,8 @@ final class LeastPicture {
             paramLabel = "L",
             description =
                     "with --tolerance: how far a channel may be off, in levels of 0 to 255; 2 unless"
-                            + " given")
+                            + " given; without it: --shading auto takes the cheapest of flat, gouraud"
+                            + " and phong that is proved to be within L levels of phong")
     private Double levels;
 
     /**
@@ -36,16 +39,29 @@ final class LeastPicture {
      * @param asked whose visibility, shading and texture are chosen anew
      */
     Optional<Plan> plan(RenderRequest asked) {
-        if (pixels == null) {
-            if (levels != null) throw Complaint.badInput("--levels needs --tolerance");
-            return Optional.empty();
-        }
+        if (pixels == null) return Optional.empty();
         requireFaces(asked);
         try {
             var tolerance = new Tolerance(pixels, levels == null ? USUAL_LEVELS : levels, 0);
             return Optional.of(new Planner().plan(asked, tolerance));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
+        }
+    }
+
+    /**
+     * The shading of a picture that leaves it open, by the levels that it may be off; empty where
+     * no levels are given, or a plan decides.
+     */
+    Optional<Choice> shading(RenderRequest asked) {
+        if (levels == null || pixels != null) return Optional.empty();
+        if (asked.look().shading() != ShadingMethod.AUTO
+                || asked.visibility().equals(Renderer.SURFACES))
+            throw Complaint.badInput("--levels needs --tolerance, or faces and --shading auto");
+        try {
+            return Optional.of(ShadingChoice.of(asked, levels));
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput("--" + e.getMessage());
         }
     }
 

@@ -18,6 +18,7 @@ import rasterlab.app.outcome.FileLevels;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.plan.CountedWork;
+import rasterlab.engine.pipeline.Choice;
 import rasterlab.engine.pipeline.DrawnDepths;
 import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -46,7 +47,8 @@ import rasterlab.exercises.scene.SceneSetting;
             "Example: ./lab render vase --visibility painter --out vase.png",
             "         ./lab render vase --reference --diff vase.png",
             "         ./lab render torus --clip-plane 1,0,0,0 --out half.png",
-            "         ./lab render torus --tolerance 0.5 --levels 4 --out least.png"
+            "         ./lab render torus --tolerance 0.5 --levels 4 --out least.png",
+            "         ./lab render vase --shading auto --levels 3 --out shaded.png"
         })
 public final class RenderCommand implements Callable<Integer> {
     private final Console console;
@@ -148,7 +150,8 @@ public final class RenderCommand implements Callable<Integer> {
         if (errors) requireErrors(asked.look());
         if (out != null) requirePng(out);
         Optional<Plan> plan = least.plan(asked);
-        RenderRequest request = plan.map(Plan::least).orElse(asked);
+        Optional<Choice> shading = least.shading(asked);
+        RenderRequest request = plan.map(Plan::least).orElse(shaded(asked, shading));
         RenderMemory.require(request, (other == null ? 0 : 3) + (errors ? 3 : 0));
         Optional<BufferedImage> expected =
                 Optional.ofNullable(other)
@@ -169,6 +172,7 @@ public final class RenderCommand implements Callable<Integer> {
         new RenderReport(
                         request,
                         plan,
+                        shading,
                         milliseconds,
                         work,
                         counted,
@@ -178,6 +182,13 @@ public final class RenderCommand implements Callable<Integer> {
                         shadings)
                 .write(console.out());
         return ExitCode.DONE;
+    }
+
+    private static RenderRequest shaded(RenderRequest asked, Optional<Choice> shading) {
+        return shading.map(Choice::chosen)
+                .map(ShadingMethod::named)
+                .map(method -> asked.with(asked.look().withShading(method)))
+                .orElse(asked);
     }
 
     private static Optional<VisibilityWork> draw(

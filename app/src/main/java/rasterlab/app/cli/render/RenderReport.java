@@ -29,6 +29,7 @@ import rasterlab.engine.visibility.VisibilityWork;
  * The report that {@code ./lab render} prints.
  *
  * @param plan by which it was drawn, if a tolerance was given
+ * @param shading chosen by a bound, if levels alone were given
  * @param milliseconds wall time of the rendering alone
  * @param work what the visibility method counted
  * @param counted the picture's work, stage by stage, where it is counted
@@ -39,6 +40,7 @@ import rasterlab.engine.visibility.VisibilityWork;
 record RenderReport(
         RenderRequest request,
         Optional<Plan> plan,
+        Optional<Choice> shading,
         double milliseconds,
         Optional<VisibilityWork> work,
         Optional<CountedWork> counted,
@@ -77,7 +79,7 @@ record RenderReport(
     private void writeRequest(JsonGenerator json) throws IOException {
         json.writeStringField("scene", request.scene().name());
         writeChoice(json, "visibility", Renderer.visibility(request));
-        writeChoice(json, "shading", Renderer.shading(request));
+        writeChoice(json, "shading", shading.orElseGet(() -> Renderer.shading(request)));
         writeChoice(json, "texture", Renderer.texture(request));
         writeView(json);
         writeLook(json, request.look());

@@ -117,6 +117,26 @@ class PlanCommandTest {
         return ran.out().contains(", not ") || ran.out().contains("left out");
     }
 
+    @Test
+    @DisplayName("shading is chosen by whether there is a highlight, and not by the levels")
+    void levelsAloneChooseTheShading() throws Exception {
+        String out = "--out=" + folder.resolve("shaded.png");
+        for (String[] asked :
+                new String[][] {
+                    {"vase", "8", "flat", "one colour a face is at most "},
+                    {"vase", "3", "gouraud", "light mixed from corners is at most "},
+                    {"torus", "8", "phong", "light mixed from corners may be more than "}
+                }) {
+            Ran ran = tolerant(asked[0], "--levels=" + asked[1], "--size=80x60", out);
+            ran.assertDone();
+            JsonNode report = new ObjectMapper().readTree(ran.out());
+            assertEquals(asked[2], report.path("shading").asText(), ran.out());
+            String reason = report.path("shadingBecause").asText();
+            assertTrue(reason.startsWith(asked[3]), reason);
+            assertTrue(reason.contains(asked[1] + ".0 levels off"), reason);
+        }
+    }
+
     private static Ran tolerant(String... options) {
         return Ran.lab(
                 Stream.concat(Stream.of("render"), Stream.of(options)).toArray(String[]::new));
@@ -138,7 +158,23 @@ class PlanCommandTest {
 
     static Stream<Arguments> tolerantMistakes() {
         return Stream.of(
-                bad("levels without pixels", "--levels needs --tolerance", "--levels=3"),
+                bad(
+                        "levels of a shading that is asked for",
+                        "--levels needs --tolerance, or faces and --shading auto",
+                        "--levels=3",
+                        "--shading=gouraud"),
+                bad(
+                        "levels where surfaces are drawn",
+                        "--levels needs --tolerance, or faces and --shading auto",
+                        "--levels=3",
+                        "--visibility=raycast-surface"),
+                bad("levels below 0", "--levels must be from 0 to 255, got -1", "--levels=-1"),
+                bad("levels are no number", "--levels must be from 0 to 255", "--levels=NaN"),
+                bad(
+                        "levels for two eyes",
+                        "--levels are for one eye",
+                        "--levels=3",
+                        "--stereo=anaglyph"),
                 bad("tolerance is 0", "tolerance must be above 0", "--tolerance=0"),
                 bad("tolerance is no number", "above 0 and at most 64", "--tolerance=NaN"),
                 bad(
