@@ -74,10 +74,10 @@ public record LightFrame(LightChoice choice, int width, int height) {
             double[] cornerArrows,
             double[] rightArrows,
             Optional<PointReading> point,
-            Optional<OwnTold> own) {
+            Optional<OwnRemarks> own) {
         /** The answers of the user's own program; empty where there are none. */
         public Optional<OwnSteps> steps() {
-            return own.flatMap(OwnTold::steps);
+            return own.flatMap(OwnRemarks::steps);
         }
 
         /** The same with the program's answers up to a step alone. */
@@ -128,7 +128,7 @@ public record LightFrame(LightChoice choice, int width, int height) {
                     shadings(body, maker, cancelled),
                     places,
                     normals.map(OwnNormals::right),
-                    normals.map(OwnNormals::told));
+                    normals.map(OwnNormals::remarks));
         int[] at = {column(), row()};
         var light = OwnLight.of(choice, places, body.backgroundRgb(), at, mine, cancelled);
         return drawn(
@@ -138,7 +138,7 @@ public record LightFrame(LightChoice choice, int width, int height) {
                         new Picture(OFF, light.off(), new double[0], new double[0])),
                 places,
                 Optional.empty(),
-                Optional.of(light.told()));
+                Optional.of(light.remarks()));
     }
 
     private List<Picture> shadings(Scene body, PictureMaker maker, BooleanSupplier cancelled) {
@@ -157,7 +157,7 @@ public record LightFrame(LightChoice choice, int width, int height) {
             List<Picture> pictures,
             PicturePlaces places,
             Optional<Scene> right,
-            Optional<OwnTold> own) {
+            Optional<OwnRemarks> own) {
         ViewedMesh view = places.view();
         boolean arrows = choice.arrows();
         return new Drawn(

@@ -18,9 +18,9 @@ import rasterlab.engine.visibility.SeenPoint;
  * @param mine by the program; where it gave no answer, the right one
  * @param right by the formula
  * @param off where they differ: grey where they do not
- * @param told what there is to say of it
+ * @param remarks what there is to say of it
  */
-record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
+record OwnLight(Raster mine, Raster right, Raster off, OwnRemarks remarks) {
     /** Levels of 255 from which on a difference is marked: less is no other colour. */
     private static final double MARKED = 0.5;
 
@@ -64,7 +64,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
                     samples.picture(background, k -> colour(mine, k)),
                     shown,
                     samples.picture(background, k -> mark(difference(mine, right, k))),
-                    told(here, steps));
+                    remarks(here, steps));
         } catch (WrongLength length) {
             return refused(samples, background, shown, OwnMethods.misshapen(length));
         } catch (IllegalArgumentException refusal) {
@@ -76,7 +76,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
     private static OwnLight refused(
             LitSamples samples, int background, Raster right, IllegalArgumentException why) {
         Raster none = samples.picture(background, k -> 0xFF000000 | SAME);
-        return new OwnLight(none, right, none, OwnTold.refused(why.getMessage()));
+        return new OwnLight(none, right, none, OwnRemarks.refused(why.getMessage()));
     }
 
     private static int colour(double[] light, int k) {
@@ -112,7 +112,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
                 steps.picture(step, k -> mark(difference(steps.mine(), steps.right(), k)), OPEN));
     }
 
-    private static OwnTold told(Optional<double[]> here, LightSteps steps) {
+    private static OwnRemarks remarks(Optional<double[]> here, LightSteps steps) {
         long wrong = 0;
         double worst = 0;
         for (int k = 0; k < steps.count(); k++) {
@@ -120,6 +120,6 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
             worst = Math.max(worst, levels);
             if (levels >= MARKED) wrong++;
         }
-        return OwnTold.ofLight(wrong, steps.count(), worst, here, steps);
+        return OwnRemarks.ofLight(wrong, steps.count(), worst, here, steps);
     }
 }

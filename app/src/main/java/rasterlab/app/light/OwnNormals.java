@@ -18,9 +18,9 @@ import rasterlab.engine.transform.Images;
  *
  * @param scene with the scene's own normals where the program gave none
  * @param right the same with the normals that its exercise asks for
- * @param told what there is to say of them
+ * @param remarks what there is to say of them
  */
-record OwnNormals(Scene scene, Scene right, OwnTold told) {
+record OwnNormals(Scene scene, Scene right, OwnRemarks remarks) {
     static final String TOPIC = new NormalsTopic().name();
 
     /** The tolerance of normals where the program's exercise gives none. */
@@ -35,7 +35,7 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
         VertexNormals truth = new NormalsTopic().method(truth(own)).implementation();
         Scene right = body.scene(truth);
         try {
-            return new OwnNormals(body.scene(asked), right, asked.told(truth));
+            return new OwnNormals(body.scene(asked), right, asked.remarks(truth));
         } catch (WrongLength length) {
             return refused(body, right, OwnMethods.misshapen(length));
         } catch (IllegalArgumentException refusal) {
@@ -44,7 +44,7 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
     }
 
     private static OwnNormals refused(LitBody body, Scene right, IllegalArgumentException refusal) {
-        return new OwnNormals(body.scene(), right, OwnTold.refused(refusal.getMessage()));
+        return new OwnNormals(body.scene(), right, OwnRemarks.refused(refusal.getMessage()));
     }
 
     private static String truth(OwnMethods own) {
@@ -77,17 +77,17 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
         }
 
         /** Holds what it answered against the right normals. */
-        OwnTold told(VertexNormals truth) {
+        OwnRemarks remarks(VertexNormals truth) {
             Images exact = topic.record(truth, surface, Integer.MAX_VALUE);
-            Optional<OwnTold.WrongNormal> first = Optional.empty();
+            Optional<OwnRemarks.WrongNormal> first = Optional.empty();
             long wrong = 0;
             for (int v = 0; v < exact.size(); v++) {
                 double[] mine = Arrays.copyOfRange(found.coordinates(), 3 * v, 3 * v + 3);
                 double[] right = Arrays.copyOfRange(exact.coordinates(), 3 * v, 3 * v + 3);
                 if (apart(mine, right) <= RIGHT) continue;
-                if (wrong++ == 0) first = Optional.of(new OwnTold.WrongNormal(v, mine, right));
+                if (wrong++ == 0) first = Optional.of(new OwnRemarks.WrongNormal(v, mine, right));
             }
-            return OwnTold.ofNormals(wrong, exact.size(), first, steps(exact));
+            return OwnRemarks.ofNormals(wrong, exact.size(), first, steps(exact));
         }
 
         private NormalSteps steps(Images exact) {

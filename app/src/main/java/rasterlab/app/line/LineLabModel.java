@@ -131,20 +131,20 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
      * The pixels that {@link #showTried} showed last, as they are kept between runs, beside the
      * segment.
      */
-    public Kept<KeptTried> keptTried() {
+    public Kept<SavedTrial> keptTried() {
         return new Kept<>() {
             @Override
-            public Class<KeptTried> keptType() {
-                return KeptTried.class;
+            public Class<SavedTrial> keptType() {
+                return SavedTrial.class;
             }
 
             @Override
-            public KeptTried kept() {
-                return KeptTried.of(tried);
+            public SavedTrial kept() {
+                return SavedTrial.of(tried);
             }
 
             @Override
-            public void restore(KeptTried kept) {
+            public void restore(SavedTrial kept) {
                 if (!kept.right().isEmpty()) topic.method(kept.right());
                 tried = kept.tried();
                 draw(state.choice(), state.arrangement());

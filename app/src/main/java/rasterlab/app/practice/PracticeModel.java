@@ -27,7 +27,7 @@ public final class PracticeModel implements AutoCloseable {
     private final LongSupplier seeds;
     private PracticeState state = PracticeState.LEFT;
     private Optional<GradedSheet> graded = Optional.empty();
-    private Optional<NotTaken> refusal = Optional.empty();
+    private Optional<InvalidEntry> refusal = Optional.empty();
 
     /**
      * @param seeds gives the seed of new data, in [0, {@link #SEEDS})
@@ -152,12 +152,12 @@ public final class PracticeModel implements AutoCloseable {
     }
 
     /** Keeps why the last thing that was typed is not taken, until the state changes. */
-    void refuse(NotTaken why) {
+    void refuse(InvalidEntry why) {
         refusal = Optional.of(why);
     }
 
     /** Why the last thing that was typed was not taken; empty where it was. */
-    Optional<NotTaken> refusal() {
+    Optional<InvalidEntry> refusal() {
         return refusal;
     }
 

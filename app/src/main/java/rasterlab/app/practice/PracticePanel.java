@@ -202,7 +202,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
      * @param missing the field that has no value; empty for a seed that is none
      */
     private void refuse(Optional<String> missing) {
-        model.refuse(new NotTaken(missing, form.answer()));
+        model.refuse(new InvalidEntry(missing, form.answer()));
         tellRefusal();
     }
 
@@ -210,7 +210,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         model.refusal().map(this::said).ifPresent(verdict::tell);
     }
 
-    private String said(NotTaken refusal) {
+    private String said(InvalidEntry refusal) {
         String topic = model.state().topic().orElseThrow();
         return refusal.missing()
                 .map(field -> texts.text("missing", words(topic).label(field)))
@@ -279,7 +279,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         Optional<Board> board = sketch.map(each -> each.of(walked(state)));
         boolean other = shown.filter(now::equals).isEmpty();
         if (other) form.show(topic, now, board);
-        if (other) model.refusal().map(NotTaken::typed).ifPresent(form::set);
+        if (other) model.refusal().map(InvalidEntry::typed).ifPresent(form::set);
         place(board.isPresent());
         board.ifPresent(drawn -> stage.show(drawn, isOtherWalk(now), state.isAsking()));
         hint.show(hint(board, state.graded().isPresent()));

@@ -4,9 +4,9 @@ import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.lab.HazardTold;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.canvas.lab.OwnChips;
+import rasterlab.app.canvas.lab.ShownHazard;
 import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.found.FoundCases;
@@ -149,7 +149,7 @@ public final class LabTabs implements AutoCloseable {
      * @param playing how it plays
      * @param told the hazard that is told over its stage
      */
-    record Doing(String tab, Optional<StepPlayer.Playing> playing, Optional<HazardTold> told) {}
+    record Doing(String tab, Optional<StepPlayer.Playing> playing, Optional<ShownHazard> told) {}
 
     /** The tab of that name, or the first. */
     LabTab namedOrFirst(String name) {

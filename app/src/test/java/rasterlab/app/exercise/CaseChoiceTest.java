@@ -33,8 +33,8 @@ import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.outcome.TriedPicture;
 import rasterlab.app.exercise.panel.CaseCanvas;
-import rasterlab.app.exercise.panel.ExercisePanesKept;
 import rasterlab.app.exercise.panel.ResultPane;
+import rasterlab.app.exercise.panel.SavedExercisePanes;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.app.shell.settings.LabTheme;
@@ -46,7 +46,7 @@ class CaseChoiceTest {
     private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
     private static final int SMALLEST = 5;
 
-    private final ExercisePanesKept kept = new ExercisePanesKept();
+    private final SavedExercisePanes kept = new SavedExercisePanes();
 
     @TempDir private Path folder;
 

@@ -12,8 +12,8 @@ import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
-import rasterlab.app.exercise.panel.ExercisePanesKept;
 import rasterlab.app.exercise.panel.ResultPane;
+import rasterlab.app.exercise.panel.SavedExercisePanes;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.settings.LabTheme;
@@ -85,14 +85,14 @@ public final class ShownResult {
     }
 
     public static ResultPane pane(Language language, Consumer<Throwable> onFailure) {
-        return pane(language, new ExercisePanesKept(), onFailure);
+        return pane(language, new SavedExercisePanes(), onFailure);
     }
 
     /**
      * @param kept of the panes of one window
      */
     static ResultPane pane(
-            Language language, ExercisePanesKept kept, Consumer<Throwable> onFailure) {
+            Language language, SavedExercisePanes kept, Consumer<Throwable> onFailure) {
         return new ResultPane(
                 Texts.of("exercise", language),
                 kept,

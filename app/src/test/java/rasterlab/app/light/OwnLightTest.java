@@ -69,7 +69,7 @@ class OwnLightTest {
         return model.state().drawn().orElseThrow();
     }
 
-    private OwnTold told() {
+    private OwnRemarks told() {
         return drawn().own().orElseThrow();
     }
 

@@ -135,21 +135,21 @@ class TriedSegmentTest {
         var tried =
                 new TriedSegment(
                         LONG, "dda", Optional.of(pixels).filter(n -> n >= 0).map(n -> plotted(n)));
-        TriedSegment back = KeptTried.of(Optional.of(tried)).tried().orElseThrow();
+        TriedSegment back = SavedTrial.of(Optional.of(tried)).tried().orElseThrow();
         assertEquals(
                 tried.drawn().map(drawn -> drawn.pixels().size()),
                 back.drawn().map(drawn -> drawn.pixels().size()));
         assertEquals(tried.segment(), back.segment());
         assertEquals(tried.right(), back.right());
-        assertTrue(KeptTried.of(Optional.empty()).tried().isEmpty());
+        assertTrue(SavedTrial.of(Optional.empty()).tried().isEmpty());
     }
 
     @Test
     @DisplayName("millions of pixels are written at each start, or those left out count as missing")
     void ofManyPixelsTheFirstAreKept() {
-        var tried = new TriedSegment(LONG, "dda", Optional.of(plotted(KeptTried.MOST + 1)));
-        TriedSegment back = KeptTried.of(Optional.of(tried)).tried().orElseThrow();
-        assertEquals(OptionalInt.of(KeptTried.MOST), back.first());
+        var tried = new TriedSegment(LONG, "dda", Optional.of(plotted(SavedTrial.MOST + 1)));
+        TriedSegment back = SavedTrial.of(Optional.of(tried)).tried().orElseThrow();
+        assertEquals(OptionalInt.of(SavedTrial.MOST), back.first());
     }
 
     private static Plotted plotted(int count) {

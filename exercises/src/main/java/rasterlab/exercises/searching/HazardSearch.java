@@ -57,7 +57,7 @@ public final class HazardSearch<C, I, O> {
     private final List<Method<C>> witnesses;
     private final SearchedInputs<C, I, O> inputs;
     private final int seed;
-    private final LastFind told;
+    private final LastFind listener;
     private final Random random;
     private final TreeMutation mutation;
     private final List<JsonNode> kept = new ArrayList<>();
@@ -87,11 +87,12 @@ public final class HazardSearch<C, I, O> {
     /** A tree on which the method earned that verdict. */
     private record Failing(JsonNode tree, Verdict verdict) {}
 
-    private HazardSearch(Topic<C, I, O> topic, Method<C> method, int seed, SearchTold told) {
+    private HazardSearch(
+            Topic<C, I, O> topic, Method<C> method, int seed, SearchListener listener) {
         this.topic = topic;
         this.method = method;
         this.seed = seed;
-        this.told = new LastFind(told);
+        this.listener = new LastFind(listener);
         witnesses =
                 topic.methods().stream()
                         .filter(Method::promisesToBeRight)
@@ -109,19 +110,20 @@ public final class HazardSearch<C, I, O> {
      * @param seed of what is drawn
      * @throws IllegalArgumentException if there is no such topic or method; lists those there are
      */
-    public static HazardSearch<?, ?, ?> of(String topic, String method, int seed, SearchTold told) {
-        return of(Topics.named(topic), method, seed, told);
+    public static HazardSearch<?, ?, ?> of(
+            String topic, String method, int seed, SearchListener listener) {
+        return of(Topics.named(topic), method, seed, listener);
     }
 
     static <C, I, O> HazardSearch<C, I, O> of(
-            Topic<C, I, O> topic, String method, int seed, SearchTold told) {
+            Topic<C, I, O> topic, String method, int seed, SearchListener listener) {
         for (Mutant<C> mutant : topic.allMutants())
             if (mutant.name().equals(method))
                 return new HazardSearch<>(
-                        topic, Method.failing(method, mutant.implementation()), seed, told);
+                        topic, Method.failing(method, mutant.implementation()), seed, listener);
         Method<C> named =
                 Named.find(topic.name() + " method", method, topic.methods(), Method::name);
-        return new HazardSearch<>(topic, named, seed, told);
+        return new HazardSearch<>(topic, named, seed, listener);
     }
 
     /**
@@ -133,7 +135,7 @@ public final class HazardSearch<C, I, O> {
      */
     public Optional<Find> search(Duration time, BooleanSupplier cancelled) {
         long deadline = start + time.toNanos();
-        return told.within(
+        return listener.within(
                 () -> searched(deadline, time, cancelled),
                 Duration.ofNanos(deadline - System.nanoTime()).plus(GRACE));
     }
@@ -154,7 +156,7 @@ public final class HazardSearch<C, I, O> {
                     tree == null ? Optional.empty() : patient ? patiently(tree) : tried(tree);
             if (failing.isPresent()) return Optional.of(shrunk(failing.get(), deadline, cancelled));
             if (System.nanoTime() - next < 0) continue;
-            told.tried(tried);
+            listener.tried(tried);
             next += TELL_NANOS;
         }
         return inexact.map(failing -> shrunk(failing, deadline, cancelled));
@@ -206,7 +208,7 @@ public final class HazardSearch<C, I, O> {
         if (fails(here.verdict.kind())) return Optional.of(here);
         if (here.verdict.kind() == Verdict.Kind.DEGRADED && inexact.isEmpty()) {
             inexact = Optional.of(here);
-            told.keep(find(tree, here.verdict, tried, passed()));
+            listener.keep(find(tree, here.verdict, tried, passed()));
         }
         keep(here);
         return Optional.empty();
@@ -269,7 +271,7 @@ public final class HazardSearch<C, I, O> {
     private Find shrunk(Failing first, long deadline, BooleanSupplier cancelled) {
         Duration after = passed();
         long inputsTried = tried;
-        told.found(find(first.tree, first.verdict, inputsTried, after));
+        listener.found(find(first.tree, first.verdict, inputsTried, after));
         long now = System.nanoTime();
         long end = now + Math.max(deadline - now, LEAST_SHRINKING.toNanos());
         over = () -> cancelled.getAsBoolean() || System.nanoTime() - end >= 0;
@@ -277,7 +279,7 @@ public final class HazardSearch<C, I, O> {
         JsonNode best =
                 new TreeShrinking(
                                 tree -> failsAs(first, tree, last),
-                                tree -> told.simpler(find(tree, last[0], inputsTried, after)),
+                                tree -> listener.simpler(find(tree, last[0], inputsTried, after)),
                                 over)
                         .shrunk(first.tree);
         return find(best, last[0], inputsTried, after);

@@ -13,13 +13,13 @@ import java.util.concurrent.TimeoutException;
  * Keeps the last find of a search, which so is not lost when the search comes to no end; what such
  * a search would tell later nobody hears.
  */
-final class LastFind implements SearchTold {
-    private final SearchTold told;
+final class LastFind implements SearchListener {
+    private final SearchListener listener;
     private Optional<Find> last = Optional.empty();
     private boolean closed;
 
-    LastFind(SearchTold told) {
-        this.told = told;
+    LastFind(SearchListener listener) {
+        this.listener = listener;
     }
 
     /** Keeps a find that is told only if nothing better comes. */
@@ -29,19 +29,19 @@ final class LastFind implements SearchTold {
 
     @Override
     public synchronized void tried(long inputs) {
-        if (!closed) told.tried(inputs);
+        if (!closed) listener.tried(inputs);
     }
 
     @Override
     public synchronized void found(Find find) {
         last = Optional.of(find);
-        if (!closed) told.found(find);
+        if (!closed) listener.found(find);
     }
 
     @Override
     public synchronized void simpler(Find find) {
         last = Optional.of(find);
-        if (!closed) told.simpler(find);
+        if (!closed) listener.simpler(find);
     }
 
     private synchronized Optional<Find> close() {

@@ -32,7 +32,7 @@ class HazardSearchTest {
     private static final Duration TIME = Duration.ofMinutes(2);
 
     /** The messages of a search, in their order. */
-    private static final class Heard implements SearchTold {
+    private static final class Heard implements SearchListener {
         final List<Find> finds = new ArrayList<>();
 
         @Override

@@ -127,7 +127,7 @@ class SearchEndTest {
 
     private final Told told = new Told();
 
-    private static final class Told implements SearchTold {
+    private static final class Told implements SearchListener {
         private volatile boolean found;
 
         @Override

@@ -115,7 +115,7 @@ public final class Chips extends JPanel {
     }
 
     /** The hazard that is told over the stage of the lab that is seen there. */
-    public static Optional<HazardTold> toldIn(Container place) {
+    public static Optional<ShownHazard> toldIn(Container place) {
         return Stream.of(place.getComponents())
                 .filter(Component::isVisible)
                 .flatMap(
@@ -129,14 +129,14 @@ public final class Chips extends JPanel {
     }
 
     /** Tells it again over the same lab, made again, in the language of its chips. */
-    public static void tellAgain(HazardTold told, Container place) {
+    public static void tellAgain(ShownHazard told, Container place) {
         for (Component child : place.getComponents())
             if (child.isVisible() && child instanceof Chips chips) chips.tellAgain(told);
             else if (child.isVisible() && child instanceof Container inner) tellAgain(told, inner);
     }
 
     /** A hazard whose verdicts were not found yet is shown again, which looks for them. */
-    private void tellAgain(HazardTold told) {
+    private void tellAgain(ShownHazard told) {
         for (HazardCase each : List.copyOf(cases)) {
             if (!each.name().equals(told.hazard().name())) continue;
             if (told.judging()) choose(each);

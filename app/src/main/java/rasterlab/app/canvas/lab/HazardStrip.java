@@ -101,11 +101,11 @@ final class HazardStrip extends JPanel {
      */
     void tell(HazardCase hazard, Component chips) {
         Object now = lab.<Object>map(one -> one.input().get()).orElse("");
-        tellAgain(new HazardTold(hazard, now, method(), false), chips);
+        tellAgain(new ShownHazard(hazard, now, method(), false), chips);
     }
 
     /** Goes on telling what was told over the same stage before it was made again. */
-    void tellAgain(HazardTold told, Component chips) {
+    void tellAgain(ShownHazard told, Component chips) {
         if (source instanceof Chips others && others != chips) others.mark("");
         shown = Optional.of(told.hazard());
         source = chips;
@@ -117,8 +117,8 @@ final class HazardStrip extends JPanel {
     }
 
     /** The hazard that is told now, if one is. */
-    Optional<HazardTold> told() {
-        return shown.map(hazard -> new HazardTold(hazard, input, before, judging && !changed()));
+    Optional<ShownHazard> told() {
+        return shown.map(hazard -> new ShownHazard(hazard, input, before, judging && !changed()));
     }
 
     private boolean changed() {

@@ -106,12 +106,12 @@ public final class StageGuide extends JPanel implements Helped {
         return "";
     }
 
-    Optional<HazardTold> told() {
+    Optional<ShownHazard> told() {
         return strip.told();
     }
 
-    void tellAgain(HazardTold told, HazardCase words, Component chips) {
-        strip.tellAgain(new HazardTold(told.in(words), told.input(), told.before(), false), chips);
+    void tellAgain(ShownHazard told, HazardCase words, Component chips) {
+        strip.tellAgain(new ShownHazard(told.in(words), told.input(), told.before(), false), chips);
         revalidate();
     }
 

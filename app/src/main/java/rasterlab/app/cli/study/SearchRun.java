@@ -15,10 +15,10 @@ import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.exercises.searching.Find;
 import rasterlab.exercises.searching.HazardSearch;
-import rasterlab.exercises.searching.SearchTold;
+import rasterlab.exercises.searching.SearchListener;
 
 /** One search for an input on which a method fails, told while it goes on. */
-final class SearchRun implements SearchTold {
+final class SearchRun implements SearchListener {
     private static final int LONGEST = 3600;
 
     /** Characters of an input that is told while it is made simpler. */

@@ -36,14 +36,14 @@ public final class ExercisePanes extends JPanel {
     private final JComponent program;
     private final JComponent result;
     private final JTabbedPane tabs = new JTabbedPane();
-    private final transient ExercisePanesKept kept;
+    private final transient SavedExercisePanes kept;
 
     /**
      * @param kept how the rooms of an earlier panel were left; takes what changes here
      */
     ExercisePanes(
             Texts texts,
-            ExercisePanesKept kept,
+            SavedExercisePanes kept,
             JComponent statement,
             JComponent program,
             JComponent result) {

@@ -58,7 +58,7 @@ public final class ResultPane extends JPanel {
     private final JPanel words = new JPanel();
     private final CaseCanvas picture;
     private final JButton open;
-    private final transient ExercisePanesKept kept;
+    private final transient SavedExercisePanes kept;
     private transient Optional<Outcome> shown = Optional.empty();
 
     /** The program's point on the topic's chart, where speed was measured. */
@@ -80,7 +80,7 @@ public final class ResultPane extends JPanel {
      */
     public ResultPane(
             Texts texts,
-            ExercisePanesKept kept,
+            SavedExercisePanes kept,
             OpenInLab lab,
             Consumer<String> bring,
             Consumer<Outcome.Remark> toLine,

@@ -12,13 +12,13 @@ import rasterlab.app.language.Texts;
  * can be undone outlive each of them. On the event thread.
  */
 public final class WindowEditor {
-    private final ExercisePanesKept rooms = new ExercisePanesKept();
+    private final SavedExercisePanes rooms = new SavedExercisePanes();
     private Optional<SourceEditor> made = Optional.empty();
     private Optional<JoinForm.Typed> typed = Optional.empty();
     private boolean onMap;
     private boolean sheetSeen;
 
-    public ExercisePanesKept rooms() {
+    public SavedExercisePanes rooms() {
         return rooms;
     }
 

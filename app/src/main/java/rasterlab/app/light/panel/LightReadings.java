@@ -9,7 +9,7 @@ import rasterlab.app.canvas.widget.Formula;
 import rasterlab.app.language.Texts;
 import rasterlab.app.light.LightFrame;
 import rasterlab.app.light.LightLabState;
-import rasterlab.app.light.OwnTold;
+import rasterlab.app.light.OwnRemarks;
 import rasterlab.app.light.PointReading;
 import rasterlab.contract.Reflection;
 
@@ -51,7 +51,7 @@ final class LightReadings {
         lines.add(words("I =", row(point.sum())));
         state.drawn()
                 .flatMap(LightFrame.Drawn::own)
-                .flatMap(OwnTold::light)
+                .flatMap(OwnRemarks::light)
                 .ifPresent(mine -> lines.add(words(texts.text("formula.mine"), row(mine))));
         return lines;
     }

@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JEditorPane;
 import rasterlab.app.canvas.lab.Chips;
-import rasterlab.app.canvas.lab.HazardTold;
 import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.lab.ShownHazard;
 import rasterlab.app.canvas.player.StepPlayer;
 
 /** One tab of the window, whose panel is made when it is first asked for. On the event thread. */
@@ -22,7 +22,7 @@ public final class LabTab implements AutoCloseable {
     private final Deque<Runnable> parts = new ArrayDeque<>();
     private Optional<LabPanel> panel = Optional.empty();
     private Optional<StepPlayer.Playing> playing = Optional.empty();
-    private Optional<HazardTold> told = Optional.empty();
+    private Optional<ShownHazard> told = Optional.empty();
     private boolean closed;
 
     /**
@@ -139,12 +139,12 @@ public final class LabTab implements AutoCloseable {
     }
 
     /** The hazard that is told over the lab's stage, or will once the lab is made. */
-    public Optional<HazardTold> told() {
+    public Optional<ShownHazard> told() {
         return isWhole() ? panel.flatMap(Chips::toldIn) : told;
     }
 
     /** Lets the lab, once it is made, tell what another in its place told. */
-    public void tellAgain(HazardTold before) {
+    public void tellAgain(ShownHazard before) {
         told = Optional.of(before);
         if (isWhole()) panel.ifPresent(lab -> Chips.tellAgain(before, lab));
     }

@@ -19,7 +19,7 @@ import rasterlab.app.shell.settings.LabTheme;
 /** The rooms of a tab that is made again, as another language or theme has it. */
 class ExercisePanesTest {
     /** The things that one tab leaves to the next one of its window. */
-    private final ExercisePanesKept kept = new ExercisePanesKept();
+    private final SavedExercisePanes kept = new SavedExercisePanes();
 
     @BeforeAll
     static void look() throws Exception {

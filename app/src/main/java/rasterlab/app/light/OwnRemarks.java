@@ -21,7 +21,7 @@ import rasterlab.app.mine.OwnMethods;
  * @param light that it finds at the chosen point: red, green and blue; empty where it finds none
  * @param steps its answers one by one; empty where there are none
  */
-public record OwnTold(
+public record OwnRemarks(
         String refusal,
         String key,
         long wrong,
@@ -33,20 +33,21 @@ public record OwnTold(
     /** A normal that is not the right one. */
     record WrongNormal(int vertex, double[] mine, double[] right) {}
 
-    static OwnTold refused(String refusal) {
-        return new OwnTold(
+    static OwnRemarks refused(String refusal) {
+        return new OwnRemarks(
                 refusal, "", 0, 0, 0, Optional.empty(), Optional.empty(), Optional.empty());
     }
 
-    static OwnTold ofNormals(long wrong, long of, Optional<WrongNormal> first, OwnSteps steps) {
+    static OwnRemarks ofNormals(long wrong, long of, Optional<WrongNormal> first, OwnSteps steps) {
         String key = wrong == 0 ? "own.normals.right" : "own.normals.off";
-        return new OwnTold("", key, wrong, of, 0, first, Optional.empty(), Optional.of(steps));
+        return new OwnRemarks("", key, wrong, of, 0, first, Optional.empty(), Optional.of(steps));
     }
 
-    static OwnTold ofLight(
+    static OwnRemarks ofLight(
             long wrong, long of, double worst, Optional<double[]> light, OwnSteps steps) {
         String key = wrong == 0 ? "own.light.right" : "own.light.off";
-        return new OwnTold("", key, wrong, of, worst, Optional.empty(), light, Optional.of(steps));
+        return new OwnRemarks(
+                "", key, wrong, of, worst, Optional.empty(), light, Optional.of(steps));
     }
 
     /** The sentence in the language of the lab's texts. */

@@ -16,27 +16,27 @@ import rasterlab.engine.raster.Plotted;
  * @param places of those pixels, x and y by turns
  * @param cut whether the program plotted on
  */
-record KeptTried(Segment segment, String right, boolean wrong, List<Integer> places, boolean cut) {
+record SavedTrial(Segment segment, String right, boolean wrong, List<Integer> places, boolean cut) {
     /** Pixels that are kept; the first of a program that plotted more. */
     static final int MOST = 4 * LineDrawing.LIMIT;
 
-    private static final KeptTried NOTHING =
-            new KeptTried(new Segment(0, 0, 0, 0), "", false, List.of(), false);
+    private static final SavedTrial NOTHING =
+            new SavedTrial(new Segment(0, 0, 0, 0), "", false, List.of(), false);
 
-    KeptTried {
+    SavedTrial {
         places = List.copyOf(places);
         if (places.size() % 2 != 0)
             throw new IllegalArgumentException(
                     "places are x and y by turns, got " + places.size() + " numbers");
     }
 
-    static KeptTried of(Optional<TriedSegment> tried) {
-        return tried.map(KeptTried::of).orElse(NOTHING);
+    static SavedTrial of(Optional<TriedSegment> tried) {
+        return tried.map(SavedTrial::of).orElse(NOTHING);
     }
 
-    private static KeptTried of(TriedSegment tried) {
+    private static SavedTrial of(TriedSegment tried) {
         if (tried.drawn().isEmpty())
-            return new KeptTried(tried.segment(), tried.right(), false, List.of(), false);
+            return new SavedTrial(tried.segment(), tried.right(), false, List.of(), false);
         PixelRecording pixels = tried.drawn().get().pixels();
         int kept = Math.min(MOST, pixels.size());
         var places = new ArrayList<Integer>(2 * kept);
@@ -45,7 +45,7 @@ record KeptTried(Segment segment, String right, boolean wrong, List<Integer> pla
             places.add(pixels.y(i));
         }
         boolean cut = tried.drawn().get().cut() || kept < pixels.size();
-        return new KeptTried(tried.segment(), tried.right(), true, places, cut);
+        return new SavedTrial(tried.segment(), tried.right(), true, places, cut);
     }
 
     /** The figure that it was made of, with the pixels that were kept. */

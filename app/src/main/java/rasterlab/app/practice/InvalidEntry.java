@@ -10,4 +10,4 @@ import java.util.Optional;
  *     none
  * @param typed the fields of the answer that have one
  */
-record NotTaken(Optional<String> missing, ObjectNode typed) {}
+record InvalidEntry(Optional<String> missing, ObjectNode typed) {}

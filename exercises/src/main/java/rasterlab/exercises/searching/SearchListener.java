@@ -1,7 +1,7 @@
 package rasterlab.exercises.searching;
 
 /** Receives the progress of a search, on the thread that searches. */
-public interface SearchTold {
+public interface SearchListener {
     /** Tells how many inputs were tried so far, every now and then. */
     void tried(long inputs);
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 import rasterlab.app.exercise.outcome.Outcome;
 
 /** How a window's {@link ExercisePanes} were left, for those in another language or theme. */
-public final class ExercisePanesKept {
+public final class SavedExercisePanes {
     private final Map<String, Double> shares = new HashMap<>();
     private final Map<Result, Choice> cases = new HashMap<>();
     private Optional<ExercisePanes.Room> chosen = Optional.empty();

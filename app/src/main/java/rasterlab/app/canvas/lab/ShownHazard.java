@@ -8,7 +8,7 @@ package rasterlab.app.canvas.lab;
  * @param before name of the method that was chosen when the hazard was clicked
  * @param judging whether its verdicts were still being found
  */
-public record HazardTold(HazardCase hazard, Object input, String before, boolean judging) {
+public record ShownHazard(HazardCase hazard, Object input, String before, boolean judging) {
     /** The verdicts that were found beside the words of another language. */
     HazardCase in(HazardCase words) {
         return new HazardCase(
