@@ -1,5 +1,7 @@
 package rasterlab.engine.predicate;
 
+import java.util.Optional;
+
 /**
  * A question about a point that is answered by yes or no, in a scene where the point lies on the
  * border between both, but for its last digits.
@@ -32,4 +34,9 @@ public interface PointQuestion<I, O> {
 
     /** Whether an answer to such an input is yes. */
     boolean yes(O output);
+
+    /** Returns what is right, where that is found sooner than an exact answer; else empty. */
+    default Optional<Boolean> right(I input) {
+        return Optional.empty();
+    }
 }

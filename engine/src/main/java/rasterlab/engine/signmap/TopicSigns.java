@@ -51,9 +51,12 @@ final class TopicSigns<C, I, O> implements SignSubject {
     private synchronized byte[] exact(SignField field) {
         return exact.computeIfAbsent(
                 field.spacing(),
-                spacing ->
-                        field.answers(
-                                (x, y) -> sign(topic.exact(question.input(spacing, x, y), 1))));
+                spacing -> field.answers((x, y) -> right(question.input(spacing, x, y))));
+    }
+
+    private int right(I input) {
+        boolean yes = question.right(input).orElseGet(() -> question.yes(topic.exact(input, 1)));
+        return yes ? 1 : 0;
     }
 
     private int sign(O output) {

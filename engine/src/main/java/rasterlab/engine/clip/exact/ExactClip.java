@@ -1,5 +1,6 @@
 package rasterlab.engine.clip.exact;
 
+import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -25,15 +26,22 @@ public final class ExactClip {
      */
     public static Optional<double[]> plane(double[] window, double[] ends) {
         if (!finite(ends)) return Optional.empty();
+        return clip(borders(window), ends);
+    }
+
+    /** Whether {@link #plane} leaves anything; sooner told than what is left. */
+    public static boolean meets(double[] window, double[] ends) {
+        return finite(ends) && left(borders(window), ends).isPresent();
+    }
+
+    private static Ratio[][] borders(double[] window) {
         Ratio o = Ratio.ZERO;
-        return clip(
-                new Ratio[][] {
-                    {ONE, o, Ratio.of(-window[0])},
-                    {o, ONE, Ratio.of(-window[1])},
-                    {MINUS_ONE, o, Ratio.of(window[2])},
-                    {o, MINUS_ONE, Ratio.of(window[3])}
-                },
-                ends);
+        return new Ratio[][] {
+            {ONE, o, Ratio.of(-window[0])},
+            {o, ONE, Ratio.of(-window[1])},
+            {MINUS_ONE, o, Ratio.of(window[2])},
+            {o, MINUS_ONE, Ratio.of(window[3])}
+        };
     }
 
     /**
@@ -91,6 +99,15 @@ public final class ExactClip {
     }
 
     private static Optional<double[]> clip(Ratio[][] borders, double[] ends) {
+        return left(borders, ends).map(ExactClip::rounded);
+    }
+
+    private static double[] rounded(Ratio[][] left) {
+        return Arrays.stream(left).flatMap(Arrays::stream).mapToDouble(Ratio::toDouble).toArray();
+    }
+
+    /** The new ends; empty where nothing is left. */
+    private static Optional<Ratio[][]> left(Ratio[][] borders, double[] ends) {
         int dimension = ends.length / 2;
         Ratio[] from = point(ends, 0, dimension);
         Ratio[] to = point(ends, dimension, dimension);
@@ -101,12 +118,7 @@ public final class ExactClip {
             if (atFrom.signum() < 0) from = crossing(from, atFrom, to, atTo);
             else if (atTo.signum() < 0) to = crossing(from, atFrom, to, atTo);
         }
-        var left = new double[ends.length];
-        for (int i = 0; i < dimension; i++) {
-            left[i] = from[i].toDouble();
-            left[dimension + i] = to[i].toDouble();
-        }
-        return Optional.of(left);
+        return Optional.of(new Ratio[][] {from, to});
     }
 
     private static Ratio[] point(double[] numbers, int start, int dimension) {

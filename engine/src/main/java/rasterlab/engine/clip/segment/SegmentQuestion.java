@@ -1,7 +1,9 @@
 package rasterlab.engine.clip.segment;
 
 import java.util.List;
+import java.util.Optional;
 import rasterlab.engine.clip.ClippedEnds;
+import rasterlab.engine.clip.exact.ExactClip;
 import rasterlab.engine.predicate.PointQuestion;
 import rasterlab.engine.predicate.Spacing;
 
@@ -47,5 +49,13 @@ final class SegmentQuestion implements PointQuestion<SegmentsInWindow, ClippedEn
     @Override
     public boolean yes(ClippedEnds output) {
         return output.kept() > 0;
+    }
+
+    @Override
+    public Optional<Boolean> right(SegmentsInWindow input) {
+        ClipWindow window = input.window();
+        double[] sides = {window.xmin(), window.ymin(), window.xmax(), window.ymax()};
+        return Optional.of(
+                input.segments().stream().anyMatch(ends -> ExactClip.meets(sides, ends)));
     }
 }
