@@ -4,6 +4,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.ParetoFront;
 
 /**
  * A logarithmic error axis with a place for zero: a band below the decade of the smallest error.
@@ -15,8 +16,9 @@ import rasterlab.engine.study.Measurement;
  * @param low exponent of the axis' lowest decade of real errors
  * @param high exponent of its upper end
  * @param lanes the methods with exact results, from the top lane down
+ * @param endless whether an error without a number stands at its upper end
  */
-record ErrorAxis(int low, int high, List<String> lanes) {
+record ErrorAxis(int low, int high, List<String> lanes, boolean endless) {
     /** The gap between the least number and the band of zero, in shares of the scale. */
     private static final double GAP = 0.04;
 
@@ -33,27 +35,34 @@ record ErrorAxis(int low, int high, List<String> lanes) {
     static ErrorAxis over(List<Measurement> points) {
         List<String> lanes =
                 points.stream()
-                        .filter(point -> point.error().worst() == 0)
+                        .filter(point -> error(point) == 0)
                         .map(Measurement::method)
                         .distinct()
                         .toList();
         DoubleSummaryStatistics real =
                 points.stream()
-                        .mapToDouble(point -> point.error().worst())
+                        .mapToDouble(ErrorAxis::error)
                         .filter(error -> error > 0 && Double.isFinite(error))
                         .summaryStatistics();
-        if (real.getCount() == 0) return new ErrorAxis(-1, 0, lanes);
+        boolean endless = points.stream().anyMatch(point -> Double.isInfinite(error(point)));
+        if (real.getCount() == 0) return new ErrorAxis(-1, 0, lanes, endless);
         int low = (int) Math.floor(Math.log10(real.getMin()));
         int high = Math.max(low + 1, (int) Math.ceil(Math.log10(real.getMax() * 1.2)));
-        return new ErrorAxis(low, high, lanes);
+        return new ErrorAxis(low, high, lanes, endless);
     }
 
     /** Where a point stands, as a value of the axis; an infinite error at its upper end. */
     double position(Measurement point) {
-        double error = point.error().worst();
+        double error = error(point);
         if (error != 0) return Double.isFinite(error) ? error : top();
         double lane = lanes.indexOf(point.method()) + 1.0;
         return border() * Math.pow(10, -band() * lane / (lanes.size() + 1));
+    }
+
+    /** The error; infinite where an answer is not right and no number tells by how much. */
+    private static double error(Measurement point) {
+        double error = ParetoFront.error(point);
+        return Double.isInfinite(error) ? error : point.error().worst();
     }
 
     /** Height of the band of zero, in decades of the axis: a tenth to three fifths of the rest. */
@@ -90,6 +99,7 @@ record ErrorAxis(int low, int high, List<String> lanes) {
     String label(double value, StudyWords words) {
         if (value < border() * 0.999)
             return LogTicks.same(value, middleOfZero()) ? words.exact() : "";
+        if (endless && LogTicks.same(value, top())) return words.notRightShort();
         return ticks().stream().anyMatch(tick -> LogTicks.same(value, tick))
                 ? LogTicks.label(value, words.locale())
                 : "";

@@ -37,7 +37,8 @@ public record LeftOutNote(List<String> lines) {
                                 measured.method(), method -> new EnumMap<>(Verdict.Kind.class))
                         .computeIfAbsent(measured.kind(), kind -> new ArrayList<>())
                         .add(measured);
-        if (points.isEmpty()) return new LeftOutNote(List.of());
+        var lines = new ArrayList<>(wrapped(words.notRightNote(study)));
+        if (points.isEmpty()) return new LeftOutNote(lines);
         String methods =
                 points.entrySet().stream()
                         .map(
@@ -46,8 +47,12 @@ public record LeftOutNote(List<String> lines) {
                                                 + " "
                                                 + reasons(study, entry.getValue(), words))
                         .collect(Collectors.joining("; "));
-        return new LeftOutNote(
-                Wrapping.lines(words.notTimed() + " " + methods, LONGEST_LINE, String::length));
+        lines.addAll(wrapped(words.notTimed() + " " + methods));
+        return new LeftOutNote(lines);
+    }
+
+    private static List<String> wrapped(String text) {
+        return text.isEmpty() ? List.of() : Wrapping.lines(text, LONGEST_LINE, String::length);
     }
 
     private static String reasons(

@@ -237,6 +237,12 @@ public final class StudyWords {
         return one.cost().timed() && Double.isInfinite(ParetoFront.error(one));
     }
 
+    /** Tells which results stand in the row above all numbers, and why; empty for none. */
+    String notRightNote(Study study) {
+        String said = withoutNumber(study);
+        return said.isEmpty() ? "" : texts.text("front.notRight.note", said);
+    }
+
     private String withoutNumber(Study study) {
         var said = new LinkedHashMap<String, String>();
         for (Measurement one : study.measurements())

@@ -56,6 +56,29 @@ class StudyChartTest {
     }
 
     @Test
+    @DisplayName("what is not right without a number stands among what is exact, or unexplained")
+    void notRightWithoutANumberIsNotExact() {
+        var again =
+                new Measurement(
+                        "bresenham-textbook",
+                        "length-16",
+                        16,
+                        Cost.of(List.of(5.0, 5.1, 5.2), Map.of("items", 9L, "inputs", 1L)),
+                        Deviation.NONE,
+                        Verdict.Kind.WRONG,
+                        "8 pixels are drawn again");
+        List<Measurement> points = List.of(again, point("naive", 2), point("dda", 0));
+        ErrorAxis axis = ErrorAxis.over(points);
+        assertEquals(List.of("dda"), axis.lanes());
+        assertEquals(axis.top(), axis.position(again));
+        assertEquals("not right", axis.label(axis.top(), ENGLISH));
+        var study = new Study("circle", "pixel", "pixels", points);
+        assertTrue(LeftOutNote.of(study, ENGLISH).height() > 0, "no note");
+        String note = ENGLISH.notRightNote(study);
+        assertTrue(note.contains("bresenham-textbook (8 pixels are drawn again)"), note);
+    }
+
+    @Test
     void labelsAreWordsAndPlainNumbers() {
         ErrorAxis axis = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2e7)));
         assertEquals("10⁷", axis.label(1e7, ENGLISH));
