@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.plan.least.PlanWish;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.LightModel;
@@ -30,6 +31,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param mach whether the profile shows what the eye reports
  * @param line the profile's ends and the point
  * @param shaded the topic by whose program, the user's own, it is lit; "" for the three shadings
+ * @param least the least light that is enough, in place of the three shadings
  */
 public record LightChoice(
         LitBody body,
@@ -46,7 +48,8 @@ public record LightChoice(
         boolean arrows,
         boolean mach,
         Marks line,
-        String shaded) {
+        String shaded,
+        PlanWish least) {
     static final int MOST_LAMPS = 6;
     static final double SMALLEST = 0.25;
     static final double LARGEST = 8;
@@ -68,6 +71,7 @@ public record LightChoice(
         terms = Set.copyOf(terms);
         // A choice that an earlier version kept has no value here.
         if (shaded == null) shaded = "";
+        if (least == null) least = PlanWish.FIRST.withMagnified(true);
     }
 
     /** A coarse brass sphere under a lamp and a dim second one. */
@@ -89,7 +93,8 @@ public record LightChoice(
                 false,
                 true,
                 new Marks(0.1, 0.5, 0.9, 0.5, 0.4, 0.37),
-                "");
+                "",
+                PlanWish.FIRST.withMagnified(true));
     }
 
     public LightChoice with(LitBody other) {
@@ -190,6 +195,15 @@ public record LightChoice(
     public LightChoice withShaded(String topic) {
         var draft = new Draft(this);
         draft.shaded = topic;
+        draft.least = least.with(false);
+        return draft.choice();
+    }
+
+    /** The choice lit by the least light that is enough, or by the three shadings. */
+    public LightChoice with(PlanWish wish) {
+        var draft = new Draft(this);
+        draft.least = wish;
+        if (wish.on()) draft.shaded = "";
         return draft.choice();
     }
 
@@ -264,6 +278,7 @@ public record LightChoice(
         private boolean mach;
         private Marks line;
         private String shaded;
+        private PlanWish least;
 
         Draft(LightChoice from) {
             body = from.body;
@@ -281,6 +296,7 @@ public record LightChoice(
             mach = from.mach;
             line = from.line;
             shaded = from.shaded;
+            least = from.least;
         }
 
         LightChoice choice() {
@@ -299,7 +315,8 @@ public record LightChoice(
                     arrows,
                     mach,
                     line,
-                    shaded);
+                    shaded,
+                    least);
         }
     }
 }

@@ -40,6 +40,11 @@ public record LightFrame(LightChoice choice, int width, int height) {
     static final String RIGHT = "right";
     static final String OFF = "off";
 
+    /** The pictures of a plan: the full one, the least one, and their difference. */
+    private static final String FULL = "full";
+
+    private static final String LEAST = "least";
+
     /**
      * One of the three pictures.
      *
@@ -63,6 +68,7 @@ public record LightFrame(LightChoice choice, int width, int height) {
      * @param rightArrows right normals of corners, where the user's own program found the others
      * @param point the formula at the chosen point; empty where no face is
      * @param own what there is to say of the user's own program; empty where it does nothing
+     * @param least the least light beside the full one; empty where it is not wished
      */
     public record Drawn(
             LightChoice choice,
@@ -74,7 +80,8 @@ public record LightFrame(LightChoice choice, int width, int height) {
             double[] cornerArrows,
             double[] rightArrows,
             Optional<PointReading> point,
-            Optional<OwnRemarks> own) {
+            Optional<OwnRemarks> own,
+            Optional<LitPlans.Pair> least) {
         /** The answers of the user's own program; empty where there are none. */
         public Optional<OwnSteps> steps() {
             return own.flatMap(OwnRemarks::steps);
@@ -107,7 +114,17 @@ public record LightFrame(LightChoice choice, int width, int height) {
 
         private Drawn with(List<Picture> others, double[] corners, double[] rights) {
             return new Drawn(
-                    choice, width, height, others, places, faceArrows, corners, rights, point, own);
+                    choice,
+                    width,
+                    height,
+                    others,
+                    places,
+                    faceArrows,
+                    corners,
+                    rights,
+                    point,
+                    own,
+                    least);
         }
     }
 
@@ -115,20 +132,28 @@ public record LightFrame(LightChoice choice, int width, int height) {
      * @param body the choice's scene
      * @param normals of the user's own program, if the body is lit by those
      * @param mine the user's own programs
+     * @param plans draws the least light
      */
     Drawn drawn(
             Scene body,
             Optional<OwnNormals> normals,
             OwnMethods mine,
+            LitPlans plans,
             PictureMaker maker,
             BooleanSupplier cancelled) {
         var places = PicturePlaces.of(choice, body, width, height);
-        if (choice.shaded().isEmpty())
+        if (choice.shaded().isEmpty()) {
+            Optional<LitPlans.Pair> least =
+                    choice.least()
+                            .tolerance()
+                            .map(within -> plans.drawn(this, body, within, maker, cancelled));
             return drawn(
-                    shadings(body, maker, cancelled),
+                    least.map(this::pictures).orElseGet(() -> shadings(body, maker, cancelled)),
                     places,
                     normals.map(OwnNormals::right),
-                    normals.map(OwnNormals::remarks));
+                    normals.map(OwnNormals::remarks),
+                    least);
+        }
         int[] at = {column(), row()};
         var light = OwnLight.of(choice, places, body.backgroundRgb(), at, mine, cancelled);
         return drawn(
@@ -138,7 +163,15 @@ public record LightFrame(LightChoice choice, int width, int height) {
                         new Picture(OFF, light.off(), new double[0], new double[0])),
                 places,
                 Optional.empty(),
-                Optional.of(light.remarks()));
+                Optional.of(light.remarks()),
+                Optional.empty());
+    }
+
+    private List<Picture> pictures(LitPlans.Pair least) {
+        return List.of(
+                profiled(FULL, least.full()),
+                profiled(LEAST, least.picture().raster()),
+                new Picture(OFF, least.difference().raster(), new double[0], new double[0]));
     }
 
     private List<Picture> shadings(Scene body, PictureMaker maker, BooleanSupplier cancelled) {
@@ -157,7 +190,8 @@ public record LightFrame(LightChoice choice, int width, int height) {
             List<Picture> pictures,
             PicturePlaces places,
             Optional<Scene> right,
-            Optional<OwnRemarks> own) {
+            Optional<OwnRemarks> own,
+            Optional<LitPlans.Pair> least) {
         ViewedMesh view = places.view();
         boolean arrows = choice.arrows();
         return new Drawn(
@@ -173,7 +207,8 @@ public record LightFrame(LightChoice choice, int width, int height) {
                         .orElse(new double[0]),
                 SeenPoint.at(view, column(), row())
                         .map(point -> PointReading.of(choice, view, point)),
-                own);
+                own,
+                least);
     }
 
     private Picture profiled(String name, Raster raster) {

@@ -1,7 +1,6 @@
 package rasterlab.app.light;
 
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -10,7 +9,6 @@ import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.file.KeptFile;
 import rasterlab.app.canvas.method.HazardNote;
-import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.LatestReading;
@@ -47,6 +45,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final RowLabModel rows;
     private final OwnMethods own;
     private final OwnTrips ownTrips;
+    public final LitPlans plans;
     public final OwnWalk walk = new OwnWalk(this::tellAll);
     private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
@@ -81,12 +80,16 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         this.own = own;
         rows = RowLabModel.ofTextures(own, events, onFailure);
         ownTrips = new OwnTrips(own, events, onFailure, this::tellAll);
-        var body = new MadeBody(own);
+        plans = new LitPlans(events, onFailure);
+        var body = new MadeBody(own, plans);
         pictures =
                 new LatestOnly<>(
                         "lit pictures",
                         (frame, cancelled) -> body.drawn(frame, maker, cancelled),
-                        (frame, drawn) -> events.execute(() -> accept(drawn)),
+                        (frame, drawn) -> {
+                            plans.shown(drawn);
+                            events.execute(() -> accept(drawn));
+                        },
                         onFailure);
         reader = new LatestReading("lit scene file", events, onFailure);
         keptFile = new KeptFile<>(new LitSceneOpening(this), reader);
@@ -221,15 +224,6 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         show(new Chosen(state.choice(), shown, state.colour()));
     }
 
-    /** How the lab shows a hazard's input, of a topic about light, otherwise than it is. */
-    public List<ShownDifference> differences(Object input, String method) {
-        String shown = method.equals(OwnMethods.NAME) ? "" : method;
-        if (!(input instanceof Colors colors)) return TopicBodies.differences(input, shown);
-        return ColourChoice.first().with(colors, "formula").outside()
-                ? List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))
-                : List.of();
-    }
-
     /** The remark beside the present picture of a hazard. */
     public Optional<HazardNote> note() {
         return state.note();
@@ -300,10 +294,12 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     public void beginDrag() {
         history.beginDrag();
+        plans.beginDrag();
     }
 
     public void endDrag() {
         history.endDrag();
+        plans.endDrag();
         publish(state.choice(), state.drawn(), state.problem());
     }
 
@@ -354,6 +350,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         pictures.settle();
         rows.settle();
         ownTrips.settle();
+        plans.settle();
     }
 
     /** Ends the threads; the one that draws closes what it draws by. */
@@ -363,6 +360,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         pictures.close(maker::close);
         rows.end();
         ownTrips.close();
+        plans.close();
     }
 
     private Chosen chosen() {
@@ -385,6 +383,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     private void accept(LightFrame.Drawn drawn) {
         publish(state.choice(), Optional.of(drawn), state.problem());
+        plans.accept(drawn);
     }
 
     private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn, String problem) {

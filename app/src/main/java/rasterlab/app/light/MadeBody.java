@@ -10,6 +10,7 @@ import rasterlab.engine.scene.Scene;
 /** Draws frames, whose body is made once as long as it stays the same. One thread uses it. */
 final class MadeBody {
     private final OwnMethods own;
+    private final LitPlans plans;
     private Optional<Made> last = Optional.empty();
 
     /**
@@ -21,8 +22,9 @@ final class MadeBody {
     private record Made(
             LitBody body, Optional<OwnProgram> by, Scene scene, Optional<OwnNormals> normals) {}
 
-    MadeBody(OwnMethods own) {
+    MadeBody(OwnMethods own, LitPlans plans) {
         this.own = own;
+        this.plans = plans;
     }
 
     LightFrame.Drawn drawn(LightFrame frame, PictureMaker maker, BooleanSupplier cancelled) {
@@ -31,7 +33,7 @@ final class MadeBody {
         if (last.filter(made -> made.body().equals(body) && made.by().equals(by)).isEmpty())
             last = Optional.of(made(body, by));
         Made made = last.get();
-        return frame.drawn(made.scene(), made.normals(), own, maker, cancelled);
+        return frame.drawn(made.scene(), made.normals(), own, plans, maker, cancelled);
     }
 
     private Made made(LitBody body, Optional<OwnProgram> by) {

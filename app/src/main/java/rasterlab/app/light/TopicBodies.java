@@ -7,12 +7,14 @@ import java.util.Optional;
 import org.joml.Vector3d;
 import rasterlab.app.canvas.lab.GivenInput;
 import rasterlab.app.canvas.method.ShownDifference;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.Attenuation;
 import rasterlab.contract.LightSource;
 import rasterlab.contract.LitFace;
 import rasterlab.contract.LitPoint;
 import rasterlab.contract.Reflection;
 import rasterlab.contract.SurfaceMaterial;
+import rasterlab.engine.color.Colors;
 import rasterlab.engine.light.Substance;
 import rasterlab.engine.light.face.FacePoints;
 import rasterlab.engine.light.face.FaceTopic;
@@ -219,5 +221,14 @@ public final class TopicBodies {
                 Math.atan2(eye[1], eye[0]),
                 Math.acos(eye[2] / distance),
                 Math.min(SphericalView.FARTHEST, distance));
+    }
+
+    /** How the lab shows a hazard's input, of a topic about light, otherwise than it is. */
+    public static List<ShownDifference> shownDifferences(Object input, String method) {
+        String shown = method.equals(OwnMethods.NAME) ? "" : method;
+        if (!(input instanceof Colors colors)) return differences(input, shown);
+        return ColourChoice.first().with(colors, "formula").outside()
+                ? List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))
+                : List.of();
     }
 }

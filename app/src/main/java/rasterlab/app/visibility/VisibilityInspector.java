@@ -114,7 +114,6 @@ final class VisibilityInspector {
     }
 
     private void addLeast() {
-        column.heading("heading.least");
         least =
                 new LeastRows(
                         column,

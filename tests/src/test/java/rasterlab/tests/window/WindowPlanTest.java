@@ -14,6 +14,8 @@ import javax.swing.text.JTextComponent;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.light.LightFrame;
+import rasterlab.app.light.LitPlans;
 import rasterlab.app.plan.least.PlannedPicture;
 import rasterlab.app.visibility.Picture;
 
@@ -100,6 +102,24 @@ class WindowPlanTest extends WindowHarness {
         check("least.magnified");
         await("the difference on black", () -> colours("stage").contains(0xFF000000));
         assertNotEquals(coloured, colours("stage").size());
+    }
+
+    @Test
+    void lightingShowsTheLeastLightBesideTheFullOne() {
+        show("light");
+        check("least");
+        await("the least light", () -> lit().isPresent());
+        await("both are measured", () -> !said("least.timed.value").equals("–"));
+        slide("least.levels", 32);
+        await("16 levels", () -> lit().orElseThrow().picture().plan().tolerance().levels() == 16);
+        check("least");
+        await("the three shadings are back", () -> lit().isEmpty());
+        assertFalse(isSeen("least.timed.value"));
+    }
+
+    private Optional<LitPlans.Pair> lit() {
+        return GuiActionRunner.execute(
+                () -> models.light().state().drawn().flatMap(LightFrame.Drawn::least));
     }
 
     @Test

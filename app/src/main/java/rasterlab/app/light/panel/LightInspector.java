@@ -24,14 +24,17 @@ import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.language.Texts;
 import rasterlab.app.light.LightChoice;
+import rasterlab.app.light.LightFrame;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.light.LightLabState;
 import rasterlab.app.light.LightOfFaces;
 import rasterlab.app.light.LightOfPoints;
 import rasterlab.app.light.LitBody;
+import rasterlab.app.light.LitPlans;
 import rasterlab.app.light.MaterialChoice;
 import rasterlab.app.light.TopicBodies;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.plan.least.LeastRows;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
@@ -56,6 +59,7 @@ final class LightInspector {
     private final NameChooser shaded;
     private final JCheckBox arrows;
     private final JCheckBox mach;
+    private LeastRows least;
     private NameChooser substance;
     private final List<Setting> settings = new ArrayList<>();
     private final Map<LightTerm, JCheckBox> terms = new EnumMap<>(LightTerm.class);
@@ -117,11 +121,20 @@ final class LightInspector {
      */
     List<Runnable> sections() {
         return List.of(
+                this::addLeast,
                 this::addFormula,
                 this::addLamps,
                 this::addMaterial,
                 this::addTerms,
                 this::addAbout);
+    }
+
+    private void addLeast() {
+        least =
+                new LeastRows(
+                        column,
+                        texts.language(),
+                        wish -> model.choose(choice -> choice.with(wish)));
     }
 
     private void addFormula() {
@@ -313,6 +326,11 @@ final class LightInspector {
         column.showRow(shaded, !choice.shaded().isEmpty() || model.hasOwnLight());
         arrows.setSelected(choice.arrows());
         mach.setSelected(choice.mach());
+        least.show(
+                choice.least(),
+                true,
+                state.drawn().flatMap(LightFrame.Drawn::least).map(LitPlans.Pair::picture),
+                model.plans.bills());
         substance.show(choice.material().substance().code());
         for (Setting each : settings) {
             double value = each.value().applyAsDouble(choice.material());

@@ -154,8 +154,10 @@ public final class LightPanel extends LabPanel {
     private void listen() {
         Runnable noState = model.listen(state -> refresh());
         Runnable noRows = model.rows().listen(choice -> refresh());
+        Runnable noBills = model.plans.bills().listen(bills -> refresh());
         unsubscribe =
                 () -> {
+                    noBills.run();
                     noState.run();
                     noRows.run();
                 };

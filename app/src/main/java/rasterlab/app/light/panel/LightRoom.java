@@ -18,6 +18,7 @@ import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.light.LightLabState;
+import rasterlab.app.light.TopicBodies;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.row.RowTopic;
@@ -136,7 +137,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                     lab.show(topic, input.hazard(), input.input(), method);
                 },
                 new TopicWay.Notes<>(
-                        (lab, input, method) -> lab.differences(input.input(), method),
+                        (lab, input, method) -> TopicBodies.shownDifferences(input.input(), method),
                         method -> method.equals(OwnMethods.NAME) || drawnBy.contains(method),
                         LightLabModel::tell));
     }

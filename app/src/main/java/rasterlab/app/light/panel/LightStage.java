@@ -2,8 +2,8 @@ package rasterlab.app.light.panel;
 
 import java.awt.Cursor;
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -30,6 +30,7 @@ import rasterlab.app.light.LightLabState;
 import rasterlab.app.light.LitBody;
 import rasterlab.app.light.step.OwnSteps;
 import rasterlab.app.model.EmptyPicture;
+import rasterlab.app.plan.least.PlanReadings;
 
 /** Three shadings side by side above the profile; lamps, line and point are dragged. */
 public final class LightStage extends SelfDrawn implements Settling {
@@ -50,11 +51,13 @@ public final class LightStage extends SelfDrawn implements Settling {
     private final transient LightLabModel model;
     private final transient Texts texts;
     private final transient LightGrips grips;
+    private final transient PlanReadings readings;
 
     public LightStage(LightLabModel model, Texts texts) {
         super(AccessibleRole.CANVAS);
         this.model = model;
         this.texts = texts;
+        readings = new PlanReadings(texts.language());
         grips = new LightGrips(model);
         setName("stage");
         setFocusable(true);
@@ -152,6 +155,12 @@ public final class LightStage extends SelfDrawn implements Settling {
                     state.drawn()
                             .flatMap(LightFrame.Drawn::own)
                             .map(told -> told.in(texts))
+                            .orElse("");
+        if (said.isEmpty())
+            said =
+                    state.drawn()
+                            .flatMap(LightFrame.Drawn::least)
+                            .map(pair -> readings.difference(pair.difference()))
                             .orElse("");
         if (showsNothing(state)) said = (said + " " + texts.text("empty")).strip();
         if (!said.isEmpty())

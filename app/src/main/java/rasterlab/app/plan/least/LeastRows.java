@@ -39,12 +39,14 @@ public final class LeastRows {
     private PlanWish shown = PlanWish.FIRST;
 
     /**
+     * @param column whose texts name the heading
      * @param changed told what the user chooses
      */
     public LeastRows(Inspector column, Language language, Consumer<PlanWish> changed) {
         this.column = column;
         texts = Texts.of("plan", language);
         readings = new PlanReadings(language);
+        column.heading("heading.least");
         on = KeyedControls.box("least", texts, drawn -> changed.accept(shown.with(drawn)));
         column.wide(on);
         pixels =

@@ -20,13 +20,17 @@ public record MagnifiedDifference(Raster raster, int largest, int factor) {
 
     /**
      * @param a of the same size as {@code b}
+     * @param magnified whether it is brightened at all
      */
-    static MagnifiedDifference of(Raster a, Raster b) {
+    public static MagnifiedDifference of(Raster a, Raster b, boolean magnified) {
         int largest = 0;
         for (int i = 0; i < a.argb().length; i++)
             for (int shift = 0; shift < 24; shift += 8)
                 largest = Math.max(largest, apart(a.argb()[i], b.argb()[i], shift));
-        int factor = largest == 0 ? 1 : Math.min(MOST, Integer.highestOneBit(255 / largest));
+        int factor =
+                largest == 0 || !magnified
+                        ? 1
+                        : Math.min(MOST, Integer.highestOneBit(255 / largest));
         var out = new Raster(a.width(), a.height());
         for (int i = 0; i < a.argb().length; i++) {
             int argb = 0xFF000000;

@@ -38,7 +38,7 @@ public record PlanBill(PlanTrial trial, MagnifiedDifference difference) {
      */
     static PlanBill of(PlannedPicture picture, BooleanSupplier cancelled) {
         var trial = PlanTrial.held(picture.plan(), picture.camera(), ROUNDS, cancelled);
-        return new PlanBill(trial, MagnifiedDifference.of(trial.full(), trial.least()));
+        return new PlanBill(trial, MagnifiedDifference.of(trial.full(), trial.least(), true));
     }
 
     /** Whether the picture is within the tolerance of its plan. */

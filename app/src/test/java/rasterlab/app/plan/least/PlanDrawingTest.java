@@ -154,11 +154,12 @@ class PlanDrawingTest {
         a.argb()[0] = 0xFF102030;
         b.argb()[0] = 0xFF122031;
         a.argb()[1] = b.argb()[1] = 0xFF777777;
-        var found = MagnifiedDifference.of(a, b);
+        var found = MagnifiedDifference.of(a, b, true);
         assertEquals(2, found.largest());
         assertEquals(64, found.factor());
         assertEquals(0xFF800040, found.raster().argb()[0]);
         assertEquals(0xFF000000, found.raster().argb()[1]);
-        assertEquals(1, MagnifiedDifference.of(a, a).factor());
+        assertEquals(1, MagnifiedDifference.of(a, a, true).factor());
+        assertEquals(1, MagnifiedDifference.of(a, b, false).factor());
     }
 }
