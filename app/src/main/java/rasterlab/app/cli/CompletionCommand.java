@@ -11,6 +11,8 @@ import rasterlab.app.outcome.ExitCode;
         name = "completion",
         mixinStandardHelpOptions = true,
         description = "Prints the script that completes ./lab commands in bash and zsh.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {"0:the script was printed", "2:an argument is wrong"},
         footer = "Example: source <(./lab completion)")
 final class CompletionCommand implements Callable<Integer> {
     private final Console console;

@@ -4,8 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
@@ -14,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Language;
@@ -66,6 +70,41 @@ class RussianHelpTest {
                             .lines()
                             .filter(line -> line.matches(".*(\\(\\.?|-]|--?)"))
                             .toList());
+    }
+
+    /** The commands with an exit code of their own; the others have commands or are programs. */
+    static Stream<List<String>> workingCommands() {
+        var console = Console.of(System.in, System.out, System.err, ReportLanguage.EN);
+        return withinAll(Lab.commandLine(console), List.of())
+                .filter(names -> !Set.of("help", "bench", "grader").contains(names.get(0)));
+    }
+
+    private static Stream<List<String>> withinAll(CommandLine line, List<String> names) {
+        if (line.getSubcommands().isEmpty()) return Stream.of(names);
+        return line.getSubcommands().entrySet().stream()
+                .flatMap(
+                        entry -> {
+                            var longer = new ArrayList<>(names);
+                            longer.add(entry.getKey());
+                            return withinAll(entry.getValue(), longer);
+                        });
+    }
+
+    @ParameterizedTest(name = "the help of {0} lists no exit codes")
+    @MethodSource("workingCommands")
+    void helpListsExitCodes(List<String> names) {
+        var asked = new ArrayList<>(names);
+        asked.addAll(List.of("--help", "--lang"));
+        Map.of("en", "Exit codes:", "ru", "Коды завершения:")
+                .forEach(
+                        (language, heading) -> {
+                            var words = new ArrayList<>(asked);
+                            words.add(language);
+                            String help = Ran.lab(words.toArray(String[]::new)).out();
+                            int at = help.indexOf("\n" + heading + "\n  0  ");
+                            assertTrue(at >= 0, language + " help lacks exit codes:\n" + help);
+                            assertTrue(help.indexOf("\n  2  ", at) > 0, "no code 2:\n" + help);
+                        });
     }
 
     private static void assertRussian(Ran ran) {

@@ -25,6 +25,11 @@ import rasterlab.exercises.score.Disclosure;
             "Lists the exercises of the course.",
             "Tells of each its topic, kind, points, usual minutes and cases, and the lab that prepares.",
         },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the exercises were listed",
+            "2:the folder with exercises cannot be read, or one of them is wrong"
+        },
         footer = {"", "Example: ./lab exercises list"})
 final class ExercisesListCommand implements Callable<Integer> {
     private final Console console;

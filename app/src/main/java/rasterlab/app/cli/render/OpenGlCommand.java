@@ -34,6 +34,11 @@ import rasterlab.engine.naming.Named;
             "Draws, without OpenGL, the picture that the tab OpenGL shows beside OpenGL's own.",
             "Each --set is one of the tab's settings, listed below with their options; the others are as"
                     + " the tab opens."
+        },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the picture was written",
+            "2:a setting or the image is wrong, or the file cannot be written"
         })
 public final class OpenGlCommand implements Callable<Integer> {
     private static final String EXAMPLE =

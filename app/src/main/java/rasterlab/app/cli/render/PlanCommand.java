@@ -43,6 +43,11 @@ import rasterlab.exercises.scene.SceneSetting;
                     + " picture has within PX pixels of it, both ways.",
             "Prints what is left out, by which proof or bound, and error and cost, predicted and measured."
         },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the least was found",
+            "2:an argument or the scene is wrong, or a file cannot be written"
+        },
         footer = {
             "",
             "Example: ./lab plan torus --tolerance 0.5 --levels 4",

@@ -42,6 +42,12 @@ import rasterlab.exercises.scene.SceneSetting;
             "Renders a scene and prints what was rendered as JSON.",
             "--out writes the picture, --diff compares it with another one; give at least one."
         },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the scene was rendered",
+            "2:an argument, the scene or the picture of --diff is wrong, or a file cannot be written",
+            "3:the method refuses this scene"
+        },
         footer = {
             "",
             "Example: ./lab render vase --visibility painter --out vase.png",

@@ -34,6 +34,11 @@ import rasterlab.engine.naming.Named;
             "sign-map: what a predicate answers around a point where its value is nearly 0, one pixel",
             "  for each neighbour that the numbers have; the wrong area is striped and measured."
         },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the chart was drawn",
+            "2:an argument is wrong, or a file cannot be written"
+        },
         footer = {
             "",
             "Example: ./lab chart perspective --out gamma.svg",

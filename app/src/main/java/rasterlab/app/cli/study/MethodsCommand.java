@@ -33,6 +33,8 @@ import rasterlab.engine.study.TopicSchema;
             "Lists topics with their methods and hazards.",
             "Says of each what `./lab run` reads and answers for it as JSON."
         },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {"0:the topics were listed", "2:there is no such topic"},
         footer = {"", "Example: ./lab methods line"})
 public final class MethodsCommand implements Callable<Integer> {
     private static final int WIDTH = 100;

@@ -39,6 +39,12 @@ import rasterlab.engine.study.Topic;
             "Methods take turns until they are told apart or the time is used up; what is not told",
             "apart is said, and about how many rounds would settle it. Ctrl-C keeps what was measured."
         },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the methods were compared",
+            "1:with --all, a topic has no page; its reason was printed",
+            "2:an argument is wrong, or a file cannot be written"
+        },
         footer = {
             "",
             "Example: ./lab study line --out line.svg --out line.csv",
