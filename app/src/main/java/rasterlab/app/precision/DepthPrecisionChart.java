@@ -17,6 +17,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.ChartSize;
 import rasterlab.app.chart.MethodLook;
+import rasterlab.app.chart.PowersOfTen;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.row.RowColours;
@@ -140,23 +141,11 @@ public final class DepthPrecisionChart {
         series.setLineStyle(SeriesLines.NONE);
     }
 
-    /** A power of ten, "10⁻⁷". */
-    private static String power(double value) {
-        long exponent = Math.round(Math.log10(value));
-        if (exponent == 0 || exponent == 1) return exponent == 0 ? "1" : "10";
-        return "10"
-                + Long.toString(exponent)
-                        .chars()
-                        .mapToObj(
-                                c -> c == '-' ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹".substring(c - '0', c - '0' + 1))
-                        .collect(Collectors.joining());
-    }
-
     private static void style(XYStyler styler) {
         styler.setXAxisLogarithmic(true).setXAxisMin(LEAST_RATIO).setXAxisMax(MOST_RATIO);
         styler.setYAxisLogarithmic(true).setYAxisMin(LOWEST).setYAxisMax(HIGHEST);
-        styler.setXAxisTickLabelsFormattingFunction(DepthPrecisionChart::power);
-        styler.setYAxisTickLabelsFormattingFunction(DepthPrecisionChart::power);
+        styler.setXAxisTickLabelsFormattingFunction(PowersOfTen::nearest);
+        styler.setYAxisTickLabelsFormattingFunction(PowersOfTen::nearest);
         styler.setLegendPosition(LegendPosition.OutsideE);
         styler.setMarkerSize(11);
     }

@@ -23,6 +23,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.ChartSize;
 import rasterlab.app.chart.MethodLook;
+import rasterlab.app.chart.PowersOfTen;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.visibility.hidden.Growth;
@@ -230,6 +231,8 @@ public final class GrowthChart {
 
     private static void style(XYStyler styler) {
         styler.setXAxisLogarithmic(true).setYAxisLogarithmic(true);
+        styler.setXAxisTickLabelsFormattingFunction(PowersOfTen::nearest);
+        styler.setYAxisTickLabelsFormattingFunction(PowersOfTen::nearest);
         styler.setLegendVisible(false);
         styler.setMarkerSize(5);
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));

@@ -1,7 +1,7 @@
 package rasterlab.app.study.chart;
 
 import java.util.Locale;
-import java.util.stream.Collectors;
+import rasterlab.app.chart.PowersOfTen;
 
 /** Numbers on a logarithmic axis: the multiples 1 to 9 of a power of ten, and how they are said. */
 public final class LogTicks {
@@ -31,23 +31,13 @@ public final class LogTicks {
         String factor =
                 String.format(locale, "%.1f", value / Math.pow(10, power))
                         .replaceFirst("[.,]0$", "");
-        return (factor.equals("1") ? "" : factor + "·") + "10" + raised(power);
-    }
-
-    /** A whole number as an exponent: "⁻¹²". */
-    private static String raised(int power) {
-        String digits =
-                String.valueOf(Math.abs(power))
-                        .chars()
-                        .mapToObj(digit -> "⁰¹²³⁴⁵⁶⁷⁸⁹".substring(digit - '0', digit - '0' + 1))
-                        .collect(Collectors.joining());
-        return (power < 0 ? "⁻" : "") + digits;
+        return (factor.equals("1") ? "" : factor + "·") + "10" + PowersOfTen.raised(power);
     }
 
     /** A size: its power of ten where it is one of more than four digits, as "10⁷". */
     static String size(int size) {
         String digits = String.valueOf(size);
         if (digits.length() < 5 || !digits.matches("10*")) return digits;
-        return "10" + raised(digits.length() - 1);
+        return "10" + PowersOfTen.raised(digits.length() - 1);
     }
 }
