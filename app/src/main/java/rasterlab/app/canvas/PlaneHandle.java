@@ -90,10 +90,6 @@ final class PlaneHandle extends SelfDrawn {
         repaint();
     }
 
-    PlanePoint point() {
-        return point;
-    }
-
     /**
      * Becomes an arrow to a point out of sight, which is not dragged from there; or a ring again.
      */

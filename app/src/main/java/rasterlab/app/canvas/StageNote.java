@@ -80,10 +80,6 @@ public final class StageNote {
         return kept;
     }
 
-    List<String> lines() {
-        return lines;
-    }
-
     /**
      * The part of the stage that rulers and the sentence leave free, at least half of that beside
      * the rulers.

@@ -367,12 +367,6 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         if (shown && !unsaved.equals(state.unsaved())) publish(changed().unsaved(unsaved));
     }
 
-    /** Waits until every change so far is on the disk or told not to be. Any other thread. */
-    void settle() throws InterruptedException {
-        sources.settle();
-        outcomes.settle();
-    }
-
     /** Gives up what runs, and writes what is not written yet. */
     @Override
     public void close() {

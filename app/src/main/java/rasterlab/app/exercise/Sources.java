@@ -73,11 +73,6 @@ final class Sources implements AutoCloseable {
         return drafts.isPresent() ? drafts.get().unsaved() : List.of();
     }
 
-    /** Waits until every change so far is on the disk or told not to be. */
-    void settle() throws InterruptedException {
-        if (drafts.isPresent()) drafts.get().settle();
-    }
-
     @Override
     public void close() {
         drafts.ifPresent(Drafts::close);

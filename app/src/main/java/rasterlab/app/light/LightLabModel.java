@@ -224,11 +224,6 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         show(new Chosen(state.choice(), shown, state.colour()));
     }
 
-    /** The remark beside the present picture of a hazard. */
-    public Optional<HazardNote> note() {
-        return state.note();
-    }
-
     /** Says beside the present picture in what it is other than a hazard. */
     public void tell(HazardNote note) {
         state =

@@ -110,15 +110,12 @@ record LineFrame(
         }
     }
 
-    /** Where the ends' labels lie. */
-    List<Rectangle> labels() {
-        var any = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
-        FontMetrics metrics = any.getFontMetrics(font.deriveFont(Font.BOLD));
-        any.dispose();
-        return labels(metrics, note(note, new Dimension(width, height), font).below());
-    }
-
-    private List<Rectangle> labels(FontMetrics metrics, Rectangle sight) {
+    /**
+     * Where the ends' labels lie.
+     *
+     * @param sight what rulers and the note leave of the stage
+     */
+    List<Rectangle> labels(FontMetrics metrics, Rectangle sight) {
         Segment segment = drawings.choice().segment();
         var within = new Rectangle(sight.x + 3, sight.y + 4, sight.width - 8, sight.height - 11);
         List<Rectangle2D> seen = marked();

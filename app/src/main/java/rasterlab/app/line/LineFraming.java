@@ -2,7 +2,6 @@ package rasterlab.app.line;
 
 import java.awt.Rectangle;
 import java.util.Optional;
-import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
@@ -23,13 +22,6 @@ final class LineFraming {
     private static final int BESIDE = 24;
 
     private LineFraming() {}
-
-    /**
-     * @param view where the grid may lie, in view units
-     */
-    static ZoomedGrid of(LineLabState state, Rectangle view) {
-        return ZoomedGrid.fitting(of(state), view);
-    }
 
     /** The pixels to be seen. */
     static Rectangle of(LineLabState state) {

@@ -48,10 +48,6 @@ public final class OwnProgram implements AutoCloseable {
         return exercise;
     }
 
-    public String source() {
-        return source;
-    }
-
     /** A method of the topic's contract. */
     Object method() {
         return method;

@@ -141,11 +141,6 @@ class GlCanvas extends AWTGLCanvas {
         finished = Optional.of(new Finished(frame, picture));
     }
 
-    /** The objects that OpenGL keeps for this canvas now. */
-    GlObjects objects() {
-        return objects;
-    }
-
     /** Whether there is a context now. */
     boolean hasContext() {
         return context != 0;

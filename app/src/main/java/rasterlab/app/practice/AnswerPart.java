@@ -12,8 +12,6 @@ interface AnswerPart {
     /** Shows a value that was given in the picture. */
     void set(JsonNode value);
 
-    void clear();
-
     JComponent component();
 
     /** Gives the keyboard to the first of it that lacks a value, or to its first. */

@@ -54,11 +54,6 @@ final class ChoicePart implements AnswerPart {
     }
 
     @Override
-    public void clear() {
-        group.clearSelection();
-    }
-
-    @Override
     public JComponent component() {
         return row;
     }

@@ -53,11 +53,6 @@ final class NumbersPart implements AnswerPart {
     }
 
     @Override
-    public void clear() {
-        fields.forEach(field -> field.setText(""));
-    }
-
-    @Override
     public JComponent component() {
         return row;
     }

@@ -130,16 +130,6 @@ public final class LabFrame extends JFrame {
         return look().language();
     }
 
-    /** Name of the tab that is shown. */
-    public String shownTab() {
-        return content.shown();
-    }
-
-    /** Shows the tab of that name; an unknown name leaves the one that is shown. */
-    public void showTab(String name) {
-        content.show(name);
-    }
-
     /** Shows a case in the tab of its topic. */
     void show(FirstCase one) {
         tabs.opening().showCase(one);
@@ -218,10 +208,6 @@ public final class LabFrame extends JFrame {
         giveFocus(focus);
         EventQueue.invokeLater(() -> giveFocus(focus));
         keeper.look();
-    }
-
-    public void speak(Language language) {
-        wear(settings.look().with(language));
     }
 
     /** Name of the component that has the keyboard; null where there is none. */

@@ -32,9 +32,4 @@ enum VerdictSign {
     Color ink(Color ground) {
         return MethodColours.textOn(ground, colour);
     }
-
-    /** Lower-case name, as in keys. */
-    String code() {
-        return Verdict.Kind.valueOf(name()).code();
-    }
 }

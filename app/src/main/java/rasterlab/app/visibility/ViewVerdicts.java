@@ -73,11 +73,6 @@ final class ViewVerdicts implements AutoCloseable {
         }
     }
 
-    /** Waits until what was asked is answered or dropped. Any other thread. */
-    void settle() throws InterruptedException {
-        verdicts.settle();
-    }
-
     /** Ends the thread. */
     @Override
     public void close() {

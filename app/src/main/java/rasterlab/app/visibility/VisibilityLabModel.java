@@ -178,16 +178,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         draw(next, counted);
     }
 
-    /**
-     * Shows a scene by two methods side by side, their wrong pixels marked.
-     *
-     * @param comparison a method's name, "" for one picture
-     * @throws IllegalArgumentException if the engine does not know a name
-     */
-    public void compare(String scene, String method, String comparison) {
-        choose(choice -> choice.comparing(scene, method, comparison).withDifference(true));
-    }
-
     /** Compares in the scene's own colours, unmarked. */
     public void compareColours(String scene, String method, String comparison) {
         choose(choice -> choice.comparing(scene, method, comparison).inOwnColours());

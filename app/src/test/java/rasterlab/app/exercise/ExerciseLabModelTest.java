@@ -149,12 +149,12 @@ class ExerciseLabModelTest {
                         false);
         try (var outcomes = new Outcomes(id -> Optional.of(file), Runnable::run)) {
             outcomes.keep(exercise, usual);
-            outcomes.settle();
-            assertTrue(Files.exists(file));
-            outcomes.keep(exercise, tooLong);
-            outcomes.settle();
-            assertFalse(Files.exists(file));
         }
+        assertTrue(Files.exists(file));
+        try (var outcomes = new Outcomes(id -> Optional.of(file), Runnable::run)) {
+            outcomes.keep(exercise, tooLong);
+        }
+        assertFalse(Files.exists(file));
     }
 
     @Test
@@ -162,11 +162,11 @@ class ExerciseLabModelTest {
         try (var first = new Trial(folder);
                 var second = new Trial(folder)) {
             first.model.type("first");
-            first.model.settle();
+            first.model.unsavedDrafts();
             assertEquals("first", second.state().source());
             second.model.type("second");
-            second.model.settle();
-            first.model.settle();
+            second.model.unsavedDrafts();
+            first.model.unsavedDrafts();
         }
         try (var again = new Trial(folder)) {
             assertEquals("first", again.state().source());
@@ -341,7 +341,7 @@ class ExerciseLabModelTest {
         try (var trial = new Trial(folder)) {
             assertEquals(Optional.empty(), trial.model.command());
             trial.model.type(FIRST_PIXEL);
-            trial.model.settle();
+            trial.model.unsavedDrafts();
             Path draft = folder.resolve("drafts").resolve("line-bresenham.java");
             assertEquals(
                     Optional.of("./lab check line-bresenham " + ShellPath.quoted(draft)),
@@ -355,7 +355,7 @@ class ExerciseLabModelTest {
         try (var trial = new Trial(folder)) {
             trial.model.type("mine");
             trial.model.restoreStarter();
-            trial.model.settle();
+            trial.model.unsavedDrafts();
             assertEquals(trial.state().exercise().starter(), trial.state().source());
         }
         try (var trial = new Trial(folder)) {

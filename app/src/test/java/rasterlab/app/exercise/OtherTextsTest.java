@@ -41,7 +41,7 @@ class OtherTextsTest {
             assertEquals(List.of("mine so far"), others(trial));
             assertTrue(told(trial).contains("Circle.java"), told(trial));
             assertTrue(told(trial).contains("Other draft"), told(trial));
-            trial.model.settle();
+            trial.model.unsavedDrafts();
         }
         try (var again = new Trial(folder)) {
             again.model.choose(CIRCLE.id());

@@ -9,8 +9,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
@@ -61,6 +63,8 @@ class LineStageTest {
         assertEquals(List.of(), failures);
     }
 
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
+
     private static LineFrame frame(LineDrawings drawings, double scale) {
         return new LineFrame(
                 drawings,
@@ -70,7 +74,7 @@ class LineStageTest {
                 300,
                 scale,
                 StageColours.LIGHT,
-                new Font(Font.SANS_SERIF, Font.PLAIN, 13),
+                FONT,
                 "",
                 NO_BUTTONS,
                 Locale.ENGLISH);
@@ -210,10 +214,14 @@ class LineStageTest {
                 .getRGB(100 + 20 * 8, 60 + 20 - 10);
     }
 
+    private ZoomedGrid framed(Rectangle view) {
+        return ZoomedGrid.fitting(LineFraming.of(model.state()), view);
+    }
+
     @Test
     void windowFarFromTheSegmentIsInSight() {
         model.show(new Segment(0, 0, 5, 2).in(new PixelWindow(30, 40, 50, 60)));
-        ZoomedGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        ZoomedGrid grid = framed(new Rectangle(0, 0, 500, 300));
         assertTrue(grid.viewX(50) < 500 && grid.viewY(60) < 300, grid.toString());
         assertTrue(grid.viewX(0) > 0 && grid.viewY(0) > 0, grid.toString());
     }
@@ -227,11 +235,11 @@ class LineStageTest {
         model.showTried(
                 new Segment(0, 0, 9, 3), "bresenham", Optional.of(new Plotted(plotted, false)));
         model.settle();
-        ZoomedGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        ZoomedGrid grid = framed(new Rectangle(0, 0, 500, 300));
         assertTrue(grid.viewX(15) < 500 && grid.viewY(18) < 300, grid.toString());
         assertTrue(grid.cell() >= 8, "the pixel far away leaves nothing of the others: " + grid);
         model.show(new Segment(0, 0, 9, 4));
-        ZoomedGrid other = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        ZoomedGrid other = framed(new Rectangle(0, 0, 500, 300));
         assertTrue(other.viewY(18) > 300, "another segment's pixels are in sight: " + other);
     }
 
@@ -249,7 +257,7 @@ class LineStageTest {
         var note = new StageNote(said, inside, new Font(Font.SANS_SERIF, Font.PLAIN, 20));
         var image = new BufferedImage(380, 270, BufferedImage.TYPE_INT_ARGB);
         note.paint(image.createGraphics(), StageColours.LIGHT);
-        ZoomedGrid grid = LineFraming.of(model.state(), note.below());
+        ZoomedGrid grid = framed(note.below());
         for (End end : End.values()) {
             Rectangle handle = LineFrame.around(end, segment, grid, note.below(), NO_BUTTONS);
             for (int x = handle.x; x < handle.x + handle.width; x++)
@@ -286,11 +294,15 @@ class LineStageTest {
     @Test
     @DisplayName("a label hides a lit pixel though there is room beside it")
     void labelsLieOnNoLitPixel() throws InterruptedException {
+        var any = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
+        FontMetrics metrics = any.getFontMetrics(FONT.deriveFont(Font.BOLD));
+        any.dispose();
+        Rectangle sight = LineFrame.note("", new Dimension(500, 300), FONT).below();
         for (var segment : List.of(new Segment(9, 6, 2, 2), new Segment(2, 2, 60, 40))) {
             model.show(segment);
             model.settle();
             LineFrame frame = frame(model.state().drawings(), 1);
-            for (Rectangle label : frame.labels())
+            for (Rectangle label : frame.labels(metrics, sight))
                 for (int i = 1; i <= model.state().drawing().pixels(); i++) {
                     int x = 100 + 20 * model.state().drawing().x(i);
                     int y = 60 + 20 * model.state().drawing().y(i);

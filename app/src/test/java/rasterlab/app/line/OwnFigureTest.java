@@ -21,6 +21,7 @@ import rasterlab.app.line.figure.ArcFigure;
 import rasterlab.app.line.figure.ArcPicture;
 import rasterlab.app.line.figure.FigureDrawing;
 import rasterlab.app.line.figure.FigureLabModel;
+import rasterlab.app.line.figure.RightFigure;
 import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.PixelMark;
@@ -44,7 +45,7 @@ class OwnFigureTest {
             model.settle();
             FigureDrawing drawing = model.state().drawing();
             assertEquals(OwnMethods.NAME, drawing.method());
-            assertTrue(drawing.isRight(), drawing.message());
+            assertTrue(RightFigure.is(drawing), drawing.message());
             assertEquals(drawing.pixels().size(), model.last());
             assertEquals(List.of(), failures);
         }

@@ -10,6 +10,8 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.light.panel.LightRoom;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.TriedSegment;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
@@ -57,7 +59,7 @@ class CaseOpeningTest {
                         Optional.empty());
         assertEquals(
                 new Segment(1, 2, -3, 4).in(new PixelWindow(0, 0, 9, 9)),
-                models.line().state().choice().segment());
+                models.of(new LineRoom()).state().choice().segment());
     }
 
     @Test
@@ -72,9 +74,9 @@ class CaseOpeningTest {
                             "{\"from\":[1,2],\"to\":[3,4]}",
                             "bresenham",
                             Optional.of(new Plotted(drawn, false)));
-            others.line().settle();
+            others.of(new LineRoom()).settle();
             answers.forEach(Runnable::run);
-            TriedSegment tried = others.line().state().drawings().tried().orElseThrow();
+            TriedSegment tried = others.of(new LineRoom()).state().drawings().tried().orElseThrow();
             assertEquals(
                     new TriedSegment(
                             new Segment(1, 2, 3, 4),
@@ -122,7 +124,7 @@ class CaseOpeningTest {
 
     @Test
     void anInputInTheHazardsPlaceIsUndoneToTheHazard() {
-        var rows = models.light().rows();
+        var rows = models.of(new LightRoom()).rows();
         rows.show("texture-mapping", "floor", "affine");
         String json = "{\"from\":[0,0,1],\"to\":[1,1,2],\"pixels\":8}";
         shown().showInput("texture-mapping", json, "affine", Optional.empty());

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.lab.LabLayout;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabStates;
 import rasterlab.app.shell.settings.LabTheme;
@@ -96,7 +97,7 @@ class ClippedTextTest {
                     DesktopType.install(theme, textPercent);
                     LabLayout.showCrowdingInspectors(true);
                     models = LabModels.first(failures::add);
-                    models.line().compareWith("naive-textbook");
+                    models.of(new LineRoom()).compareWith("naive-textbook");
                     tabs = LabTabs.create(models, language, failures::add);
                     tabs.all().forEach(LabTab::panel);
                 });

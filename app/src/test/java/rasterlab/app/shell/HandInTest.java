@@ -19,8 +19,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.lab.GivenInput;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
@@ -83,16 +85,16 @@ class HandInTest {
     @Test
     void whatIsChangedInTheLabIsHandedInAsItIs() {
         show("rotate-axis");
-        models.coordinates().transformations().set(6, 33);
+        models.of(new CoordinatesRoom()).transformations().set(6, 33);
         assertTrue(written("rotate-axis").contains("\"degrees\": 33"), written("rotate-axis"));
         show("view");
-        models.coordinates().transformations().set(2, 12);
+        models.of(new CoordinatesRoom()).transformations().set(2, 12);
         assertTrue(written("view").contains("\"rho\": 12"), written("view"));
         show("transform");
-        models.coordinates().transformations().add("SCALE3D");
+        models.of(new CoordinatesRoom()).transformations().add("SCALE3D");
         assertTrue(written("transform").contains("\"matrices\": [[["), written("transform"));
         show("matrix");
-        models.coordinates().transformations().set(0, 5);
+        models.of(new CoordinatesRoom()).transformations().set(0, 5);
         assertEquals("{\"name\": \"SCALE3DX\", \"a\": 5}", written("matrix"));
     }
 
@@ -101,7 +103,7 @@ class HandInTest {
         for (String topic : List.of("hidden-surfaces", "visible-faces", "depth-order")) {
             show(topic);
             String before = written(topic);
-            models.visibility().turn(0.25, 0.125);
+            models.of(new VisibilityRoom()).turn(0.25, 0.125);
             assertNotEquals(before, written(topic), topic);
             whole(Topics.named(topic), written(topic));
         }
@@ -111,9 +113,9 @@ class HandInTest {
     @Test
     void bodyThatIsTurnedKeepsItsVisibleFaces() {
         show("visible-faces");
-        models.visibility().zoom(1.25);
+        models.of(new VisibilityRoom()).zoom(1.25);
         String zoomed = written("visible-faces");
-        models.visibility().turn(1e-9, 0);
+        models.of(new VisibilityRoom()).turn(1e-9, 0);
         assertNotEquals(zoomed, written("visible-faces"));
         assertEquals(visible(zoomed), visible(written("visible-faces")));
     }

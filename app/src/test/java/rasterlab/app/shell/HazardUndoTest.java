@@ -12,10 +12,17 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.ModelThread;
+import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.coordinates.CoordinatesLabModel;
+import rasterlab.app.coordinates.CoordinatesRoom;
+import rasterlab.app.light.panel.LightRoom;
+import rasterlab.app.line.LineRoom;
+import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
+import rasterlab.app.spline.SplineRoom;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
@@ -40,14 +47,21 @@ class HazardUndoTest {
     private static Lab of(String topic) {
         return switch (Topics.named(topic).lab()) {
             case "line" -> topic.equals("line") ? line() : figures();
-            case "polygon" -> new Lab(MODELS.polygon(), MODELS.polygon().history());
-            case "clip" -> new Lab(MODELS.clip(), MODELS.clip().history());
+            case "polygon" ->
+                    new Lab(MODELS.of(new PolygonRoom()), MODELS.of(new PolygonRoom()).history());
+            case "clip" -> new Lab(MODELS.of(new ClipRoom()), MODELS.of(new ClipRoom()).history());
             case "visibility" ->
-                    rows(topic, MODELS.visibility().rows())
-                            .orElse(new Lab(MODELS.visibility(), MODELS.visibility().history()));
+                    rows(topic, MODELS.of(new VisibilityRoom()).rows())
+                            .orElse(
+                                    new Lab(
+                                            MODELS.of(new VisibilityRoom()),
+                                            MODELS.of(new VisibilityRoom()).history()));
             case "light" ->
-                    rows(topic, MODELS.light().rows())
-                            .orElse(new Lab(MODELS.light(), MODELS.light().history()));
+                    rows(topic, MODELS.of(new LightRoom()).rows())
+                            .orElse(
+                                    new Lab(
+                                            MODELS.of(new LightRoom()),
+                                            MODELS.of(new LightRoom()).history()));
             case "spline" -> topic.equals("curve") ? curve() : function();
             case "coordinates" -> coordinates(topic);
             default -> throw new AssertionError("what can be undone in the lab of " + topic + "?");
@@ -55,19 +69,23 @@ class HazardUndoTest {
     }
 
     private static Lab line() {
-        return new Lab(MODELS.line(), MODELS.line().history());
+        return new Lab(MODELS.of(new LineRoom()), MODELS.of(new LineRoom()).history());
     }
 
     private static Lab figures() {
-        return new Lab(MODELS.line().figures(), MODELS.line().figures().history());
+        return new Lab(
+                MODELS.of(new LineRoom()).figures(), MODELS.of(new LineRoom()).figures().history());
     }
 
     private static Lab curve() {
-        return new Lab(MODELS.spline().curve(), MODELS.spline().curve().history());
+        return new Lab(
+                MODELS.of(new SplineRoom()).curve(), MODELS.of(new SplineRoom()).curve().history());
     }
 
     private static Lab function() {
-        return new Lab(MODELS.spline().function(), MODELS.spline().function().history());
+        return new Lab(
+                MODELS.of(new SplineRoom()).function(),
+                MODELS.of(new SplineRoom()).function().history());
     }
 
     private static Optional<Lab> rows(String topic, RowLabModel rows) {
@@ -77,7 +95,7 @@ class HazardUndoTest {
     }
 
     private static Lab coordinates(String topic) {
-        CoordinatesLabModel lab = MODELS.coordinates();
+        CoordinatesLabModel lab = MODELS.of(new CoordinatesRoom());
         return switch (topic) {
             case "rotate" -> new Lab(lab.rotation(), lab.rotation().history());
             case "line-plane" -> new Lab(lab.meeting(), lab.meeting().history());

@@ -16,10 +16,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabStates;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.SplineRoom;
 import rasterlab.contract.SplineEnds;
 
 @Tag("slow")
@@ -39,14 +41,16 @@ class LongNumbersTest {
     }
 
     private static void showHazard(LabModels models, String name) {
-        models.line().hazards().stream()
+        models.of(new LineRoom()).hazards().stream()
                 .filter(hazard -> hazard.name().equals(name))
-                .forEach(hazard -> models.line().show(hazard.input()));
+                .forEach(hazard -> models.of(new LineRoom()).show(hazard.input()));
     }
 
     private static void showSteepEnds(LabModels models) {
-        models.spline().show(SplineMode.FUNCTION);
-        models.spline().function().chooseEnds(SplineEnds.slopes(-123456.1234, 9876543.4321));
+        models.of(new SplineRoom()).show(SplineMode.FUNCTION);
+        models.of(new SplineRoom())
+                .function()
+                .chooseEnds(SplineEnds.slopes(-123456.1234, 9876543.4321));
     }
 
     @ParameterizedTest(name = "a long number is cut off and reads as another: {0}, {1} %")

@@ -25,15 +25,19 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.language.Language;
+import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.settings.LabLook;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.tab.LabTab;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.SplineRoom;
+import rasterlab.app.visibility.VisibilityRoom;
 
 /** The keys pressed with Alt, in each language and theme. */
 @Tag("slow")
@@ -128,27 +132,27 @@ class MnemonicsTest {
                         }
                         content.show("coordinates");
                         for (CoordinatesMode mode : CoordinatesMode.values()) {
-                            models.coordinates().show(mode);
+                            models.of(new CoordinatesRoom()).show(mode);
                             seen.put("coordinates, " + mode.code(), shown(content));
                         }
-                        models.coordinates().show(CoordinatesMode.TRANSFORMATIONS);
-                        models.coordinates().transformations().show("view", "pole", "");
+                        models.of(new CoordinatesRoom()).show(CoordinatesMode.TRANSFORMATIONS);
+                        models.of(new CoordinatesRoom()).transformations().show("view", "pole", "");
                         seen.put("trial", shown(content));
-                        models.coordinates().views().choose(ViewKind.SPHERICAL_LEFT);
-                        models.coordinates().show(CoordinatesMode.VIEWS);
+                        models.of(new CoordinatesRoom()).views().choose(ViewKind.SPHERICAL_LEFT);
+                        models.of(new CoordinatesRoom()).show(CoordinatesMode.VIEWS);
                         seen.put("spherical view", shown(content));
-                        models.light().showColours(true);
+                        models.of(new LightRoom()).showColours(true);
                         content.show("light");
                         seen.put("colours", shown(content));
-                        models.light().rows().open("texture-filter");
+                        models.of(new LightRoom()).rows().open("texture-filter");
                         seen.put("textures", shown(content));
-                        models.visibility().rows().open("depth-buffer");
+                        models.of(new VisibilityRoom()).rows().open("depth-buffer");
                         content.show("visibility");
                         seen.put("depths", shown(content));
                         content.show("spline");
-                        models.spline().curve().chooseForm(CurveForm.PIECES);
+                        models.of(new SplineRoom()).curve().chooseForm(CurveForm.PIECES);
                         seen.put("pieces", shown(content));
-                        models.spline().show(SplineMode.FUNCTION);
+                        models.of(new SplineRoom()).show(SplineMode.FUNCTION);
                         seen.put("function", shown(content));
                     }
                 });

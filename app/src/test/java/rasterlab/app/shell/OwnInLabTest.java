@@ -19,15 +19,22 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.lab.NotShown;
 import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.clip.ClipRoom;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.language.Language;
+import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.line.End;
 import rasterlab.app.line.LineChoice;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.trace.LineTrace;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.shell.labs.FirstCase;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
+import rasterlab.app.spline.SplineRoom;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -76,7 +83,7 @@ class OwnInLabTest {
     }
 
     private void settle() throws InterruptedException {
-        models.line().settle();
+        models.of(new LineRoom()).settle();
         drain();
     }
 
@@ -85,7 +92,7 @@ class OwnInLabTest {
     }
 
     private LineTrace trace() {
-        return models.line().state().drawing().trace();
+        return models.of(new LineRoom()).state().drawing().trace();
     }
 
     @Test
@@ -95,10 +102,10 @@ class OwnInLabTest {
                 "{\"from\":[1,2],\"to\":[4,2]}");
         assertEquals(
                 new LineChoice(new Segment(1, 2, 4, 2), OwnMethods.NAME, "naive"),
-                models.line().state().choice());
+                models.of(new LineRoom()).state().choice());
         assertEquals(LineTrace.Ending.ENDED, trace().ending());
-        assertEquals(4, models.line().state().drawing().pixels());
-        assertEquals(4, models.line().state().drawing().x(1));
+        assertEquals(4, models.of(new LineRoom()).state().drawing().pixels());
+        assertEquals(4, models.of(new LineRoom()).state().drawing().x(1));
         assertEquals(List.of("line"), tabs);
         assertEquals(List.of("line line-bresenham"), told);
     }
@@ -113,18 +120,18 @@ class OwnInLabTest {
         settle();
         assertEquals(
                 new LineChoice(new Segment(1, 2, 2, 2), OwnMethods.NAME, "dda"),
-                models.line().state().choice());
-        assertEquals(1, models.line().state().drawing().difference().extra().size());
+                models.of(new LineRoom()).state().choice());
+        assertEquals(1, models.of(new LineRoom()).state().drawing().difference().extra().size());
         assertEquals(List.of("line"), tabs);
         opening.showCase(new FirstCase(scene, Optional.empty()));
         settle();
-        assertEquals("dda", models.line().state().choice().method());
+        assertEquals("dda", models.of(new LineRoom()).state().choice().method());
     }
 
     @Test
     void aWrongPixelIsMarked() throws InterruptedException {
         show(line("out.plot(x0, y0); out.plot(9, 9);"), "{\"from\":[1,2],\"to\":[2,2]}");
-        var difference = models.line().state().drawing().difference();
+        var difference = models.of(new LineRoom()).state().drawing().difference();
         assertEquals(1, difference.extra().size());
         assertEquals(1, difference.missing().size());
     }
@@ -132,9 +139,9 @@ class OwnInLabTest {
     @Test
     void aDraggedEndIsDrawnByTheProgramAgain() throws InterruptedException {
         show(line("out.plot(x1, y1);"), "{\"from\":[1,2],\"to\":[4,2]}");
-        models.line().moveEnd(End.B, 7, 5);
+        models.of(new LineRoom()).moveEnd(End.B, 7, 5);
         settle();
-        assertEquals(7, models.line().state().drawing().x(1));
+        assertEquals(7, models.of(new LineRoom()).state().drawing().x(1));
     }
 
     @Test
@@ -147,7 +154,7 @@ class OwnInLabTest {
         assertEquals(
                 Optional.of("Ваша программа не ответила за 2\u00a0с и была остановлена"),
                 OwnWords.refusal(OwnMethods.NAME, trace().message(), Language.RUSSIAN));
-        models.line().moveEnd(End.A, 0, 2);
+        models.of(new LineRoom()).moveEnd(End.A, 0, 2);
         settle();
         assertEquals(LineTrace.Ending.ENDED, trace().ending());
     }
@@ -163,12 +170,12 @@ class OwnInLabTest {
     void anotherTextTakesTheOldOnesPlace() throws InterruptedException {
         show(line("out.plot(1, 1);"), "");
         show(line("out.plot(5, 5);"), "");
-        assertEquals(5, models.line().state().drawing().x(1));
+        assertEquals(5, models.of(new LineRoom()).state().drawing().x(1));
     }
 
     @Test
     void withoutAProgramTheMethodSaysHowToGetOne() throws InterruptedException {
-        models.line().chooseMethod(OwnMethods.NAME);
+        models.of(new LineRoom()).chooseMethod(OwnMethods.NAME);
         settle();
         assertEquals(LineTrace.Ending.REFUSED, trace().ending());
         assertTrue(trace().message().startsWith("there is no program of yours yet"));
@@ -184,9 +191,9 @@ class OwnInLabTest {
     @ValueSource(strings = {"seed-fill", "polygon-fill", "point-in-polygon", "triangulate"})
     void theModelSolutionIsRightInTheLabOfPolygons(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
-        models.polygon().settle();
+        models.of(new PolygonRoom()).settle();
         drain();
-        var results = models.polygon().state().results();
+        var results = models.of(new PolygonRoom()).state().results();
         assertEquals(OwnMethods.NAME, results.outcome().method());
         assertTrue(results.outcome().isRight(), results.outcome().message());
         assertTrue(results.other().isPresent());
@@ -196,9 +203,9 @@ class OwnInLabTest {
     @ValueSource(strings = {"clip-polygon", "clip-volume"})
     void theModelSolutionIsRightInTheLabOfClipping(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
-        models.clip().settle();
+        models.of(new ClipRoom()).settle();
         drain();
-        var clipping = models.clip().state().results().clipping();
+        var clipping = models.of(new ClipRoom()).state().results().clipping();
         assertEquals(OwnMethods.NAME, clipping.method());
         assertEquals("", clipping.message());
         assertEquals(0, clipping.deviation().missing() + clipping.deviation().extra());
@@ -209,9 +216,9 @@ class OwnInLabTest {
     @ValueSource(strings = {"clip-segment", "clip-polygon", "clip-volume"})
     void aClippersStepsAreWhatItSends(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
-        models.clip().settle();
+        models.of(new ClipRoom()).settle();
         drain();
-        var clipping = models.clip().state().results().clipping();
+        var clipping = models.of(new ClipRoom()).state().results().clipping();
         assertTrue(clipping.steps().size() >= clipping.parts().size(), clipping.message());
         assertTrue(clipping.parts().size() > 0, clipping.message());
     }
@@ -220,9 +227,9 @@ class OwnInLabTest {
     @ValueSource(strings = {"bezier-point", "hermite", "flatten-curve"})
     void theModelSolutionIsRightInTheLabOfCurves(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
-        models.spline().curve().settle();
+        models.of(new SplineRoom()).curve().settle();
         drain();
-        var drawing = models.spline().curve().state().drawing();
+        var drawing = models.of(new SplineRoom()).curve().state().drawing();
         assertEquals(OwnMethods.NAME, drawing.method());
         assertEquals("", drawing.message());
         assertTrue(drawing.right());
@@ -232,9 +239,9 @@ class OwnInLabTest {
     @Test
     void theModelSolutionIsRightInTheLabOfFunctions() throws InterruptedException {
         showModel(Catalogue.builtIn().named("spline-function"));
-        models.spline().function().settle();
+        models.of(new SplineRoom()).function().settle();
         drain();
-        var drawing = models.spline().function().state().drawing();
+        var drawing = models.of(new SplineRoom()).function().state().drawing();
         assertEquals(OwnMethods.NAME, drawing.method());
         assertEquals("", drawing.message());
         assertTrue(drawing.right());
@@ -245,7 +252,10 @@ class OwnInLabTest {
     void theLabsOfRowsShowTheProgram(String id, String tab) {
         Exercise exercise = Catalogue.builtIn().named(id);
         showModel(exercise);
-        RowLabModel rows = tab.equals("light") ? models.light().rows() : models.visibility().rows();
+        RowLabModel rows =
+                tab.equals("light")
+                        ? models.of(new LightRoom()).rows()
+                        : models.of(new VisibilityRoom()).rows();
         assertEquals(exercise.topic(), rows.choice().topic());
         assertEquals(OwnMethods.NAME, rows.choice().method());
         assertTrue(rows.open());
@@ -258,7 +268,8 @@ class OwnInLabTest {
     @ValueSource(strings = {"view", "rotate-axis"})
     void theLabOfTransformationsTriesTheProgram(String id) {
         showModel(Catalogue.builtIn().named(id));
-        var trial = models.coordinates().transformations().choice().trial().orElseThrow();
+        var trial =
+                models.of(new CoordinatesRoom()).transformations().choice().trial().orElseThrow();
         assertEquals(id, trial.topic());
         assertEquals(OwnMethods.NAME, trial.method());
         assertEquals(List.of("coordinates"), tabs);
@@ -268,15 +279,17 @@ class OwnInLabTest {
     void theLabOfColoursAsksTheProgram() {
         showModel(Catalogue.builtIn().named("color"));
         assertTrue(
-                String.valueOf(models.light().kept()).contains("method=" + OwnMethods.NAME),
-                String.valueOf(models.light().kept()));
+                String.valueOf(models.of(new LightRoom()).kept())
+                        .contains("method=" + OwnMethods.NAME),
+                String.valueOf(models.of(new LightRoom()).kept()));
         assertEquals(List.of("light"), tabs);
     }
 
     @Test
     void theLabOfRotationsTurnsByTheProgram() {
         showModel(Catalogue.builtIn().named("cheap-rotation"));
-        assertEquals(OwnMethods.NAME, models.coordinates().rotation().choice().method());
+        assertEquals(
+                OwnMethods.NAME, models.of(new CoordinatesRoom()).rotation().choice().method());
         assertEquals(List.of("coordinates"), tabs);
     }
 
@@ -289,7 +302,7 @@ class OwnInLabTest {
         settle();
         assertEquals(LineTrace.Ending.ENDED, trace().ending(), trace().message());
         assertTrue(trace().pixels().size() > 0);
-        var difference = models.line().state().drawing().difference();
+        var difference = models.of(new LineRoom()).state().drawing().difference();
         assertEquals(0, difference.extra().size());
         assertEquals(0, difference.missing().size());
     }
@@ -310,24 +323,25 @@ class OwnInLabTest {
                         }
                         """);
         opening.showOwn("clip-segment", "", "");
-        models.clip().settle();
+        models.of(new ClipRoom()).settle();
         drain();
         assertEquals(
                 "your program did not answer within 2.0 s and was stopped",
-                models.clip().state().results().clipping().message());
+                models.of(new ClipRoom()).state().results().clipping().message());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"visible-faces", "depth-order"})
     void theLabOfHiddenSurfacesDrawsByTheProgramBesideARightMethod(String id) {
         showModel(Catalogue.builtIn().named(id));
-        var choice = models.visibility().state().choice();
+        var choice = models.of(new VisibilityRoom()).state().choice();
         assertEquals(OwnMethods.NAME, choice.visibility());
         assertEquals(id.equals("depth-order") ? "painter" : "back-face", choice.comparison());
         assertTrue(choice.difference());
         assertEquals(List.of("visibility"), tabs);
-        models.visibility().history().undo();
-        assertNotEquals(OwnMethods.NAME, models.visibility().state().choice().visibility());
+        models.of(new VisibilityRoom()).history().undo();
+        assertNotEquals(
+                OwnMethods.NAME, models.of(new VisibilityRoom()).state().choice().visibility());
     }
 
     @ParameterizedTest
@@ -339,11 +353,11 @@ class OwnInLabTest {
     void theLabOfLightLightsByTheProgram(String id, String kept) {
         showModel(Catalogue.builtIn().named(id));
         assertTrue(
-                String.valueOf(models.light().kept()).contains(kept),
-                String.valueOf(models.light().kept()));
+                String.valueOf(models.of(new LightRoom()).kept()).contains(kept),
+                String.valueOf(models.of(new LightRoom()).kept()));
         assertEquals(List.of("light"), tabs);
-        models.light().history().undo();
-        assertFalse(String.valueOf(models.light().kept()).contains(kept));
+        models.of(new LightRoom()).history().undo();
+        assertFalse(String.valueOf(models.of(new LightRoom()).kept()).contains(kept));
     }
 
     @Test
@@ -351,8 +365,8 @@ class OwnInLabTest {
         show(line("out.plot(1, 1);"), "{\"from\":[1,2],\"to\":[4,2]}");
         opening.showToHandIn("break-line", "line", "");
         settle();
-        assertNotEquals(OwnMethods.NAME, models.line().state().choice().method());
-        assertEquals(new Segment(1, 2, 4, 2), models.line().state().choice().segment());
+        assertNotEquals(OwnMethods.NAME, models.of(new LineRoom()).state().choice().method());
+        assertEquals(new Segment(1, 2, 4, 2), models.of(new LineRoom()).state().choice().segment());
         assertEquals(List.of("line line-bresenham", "line none"), told);
         assertEquals(Map.of(), models.own().shown());
     }

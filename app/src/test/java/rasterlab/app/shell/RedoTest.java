@@ -24,15 +24,23 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.work.History;
+import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.language.Language;
+import rasterlab.app.light.panel.LightRoom;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.opengl.GlView;
+import rasterlab.app.opengl.OpenGlRoom;
+import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.tab.LabTab;
 import rasterlab.app.spline.CurveForm;
+import rasterlab.app.spline.SplineRoom;
+import rasterlab.app.visibility.VisibilityRoom;
 
 /** Checks that each lab's redo restores the choice. */
 class RedoTest {
@@ -42,68 +50,71 @@ class RedoTest {
         return Stream.of(
                 lab(
                         "coordinates.views",
-                        models -> models.coordinates().views().history(),
-                        models -> models.coordinates().views().turnBy(10, 5)),
+                        models -> models.of(new CoordinatesRoom()).views().history(),
+                        models -> models.of(new CoordinatesRoom()).views().turnBy(10, 5)),
                 lab(
                         "coordinates.transformations",
-                        models -> models.coordinates().transformations().history(),
-                        models -> models.coordinates().transformations().remove()),
+                        models -> models.of(new CoordinatesRoom()).transformations().history(),
+                        models -> models.of(new CoordinatesRoom()).transformations().remove()),
                 lab(
                         "coordinates.stack",
-                        models -> models.coordinates().stack().history(),
-                        models -> models.coordinates().stack().clear()),
+                        models -> models.of(new CoordinatesRoom()).stack().history(),
+                        models -> models.of(new CoordinatesRoom()).stack().clear()),
                 lab(
                         "coordinates.rotation",
-                        models -> models.coordinates().rotation().history(),
-                        models -> models.coordinates().rotation().movePoint(0.5, 0.25)),
+                        models -> models.of(new CoordinatesRoom()).rotation().history(),
+                        models -> models.of(new CoordinatesRoom()).rotation().movePoint(0.5, 0.25)),
                 lab(
                         "coordinates.meeting",
-                        models -> models.coordinates().meeting().history(),
-                        models -> models.coordinates().meeting().chooseMethod("unrounded")),
+                        models -> models.of(new CoordinatesRoom()).meeting().history(),
+                        models ->
+                                models.of(new CoordinatesRoom())
+                                        .meeting()
+                                        .chooseMethod("unrounded")),
                 lab(
                         "line",
-                        models -> models.line().history(),
-                        models -> models.line().chooseMethod("wu")),
+                        models -> models.of(new LineRoom()).history(),
+                        models -> models.of(new LineRoom()).chooseMethod("wu")),
                 lab(
                         "line.figures",
-                        models -> models.line().figures().history(),
-                        models -> models.line().figures().chooseMode(LineMode.ELLIPSE)),
+                        models -> models.of(new LineRoom()).figures().history(),
+                        models -> models.of(new LineRoom()).figures().chooseMode(LineMode.ELLIPSE)),
                 lab(
                         "polygon",
-                        models -> models.polygon().history(),
-                        models -> models.polygon().chooseMode(PolygonMode.values()[1])),
+                        models -> models.of(new PolygonRoom()).history(),
+                        models -> models.of(new PolygonRoom()).chooseMode(PolygonMode.values()[1])),
                 lab(
                         "clip",
-                        models -> models.clip().history(),
-                        models -> models.clip().chooseMode(ClipMode.POLYGON)),
+                        models -> models.of(new ClipRoom()).history(),
+                        models -> models.of(new ClipRoom()).chooseMode(ClipMode.POLYGON)),
                 lab(
                         "visibility",
-                        models -> models.visibility().history(),
-                        models -> models.visibility().turn(0.1, 0.2)),
+                        models -> models.of(new VisibilityRoom()).history(),
+                        models -> models.of(new VisibilityRoom()).turn(0.1, 0.2)),
                 lab(
                         "light",
-                        models -> models.light().history(),
-                        models -> models.light().showColours(true)),
+                        models -> models.of(new LightRoom()).history(),
+                        models -> models.of(new LightRoom()).showColours(true)),
                 lab(
                         "visibility.rows",
-                        models -> models.visibility().rows().history(),
-                        models -> models.visibility().rows().chooseMethod("z24")),
+                        models -> models.of(new VisibilityRoom()).rows().history(),
+                        models -> models.of(new VisibilityRoom()).rows().chooseMethod("z24")),
                 lab(
                         "light.rows",
-                        models -> models.light().rows().history(),
-                        models -> models.light().rows().chooseMethod("perspective")),
+                        models -> models.of(new LightRoom()).rows().history(),
+                        models -> models.of(new LightRoom()).rows().chooseMethod("perspective")),
                 lab(
                         "spline.curve",
-                        models -> models.spline().curve().history(),
-                        models -> models.spline().curve().chooseForm(CurveForm.PIECES)),
+                        models -> models.of(new SplineRoom()).curve().history(),
+                        models -> models.of(new SplineRoom()).curve().chooseForm(CurveForm.PIECES)),
                 lab(
                         "spline.function",
-                        models -> models.spline().function().history(),
-                        models -> models.spline().function().move(1, 1.2, 0.4)),
+                        models -> models.of(new SplineRoom()).function().history(),
+                        models -> models.of(new SplineRoom()).function().move(1, 1.2, 0.4)),
                 lab(
                         "opengl",
-                        models -> models.opengl().history(),
-                        models -> models.opengl().show(GlView.values()[1])));
+                        models -> models.of(new OpenGlRoom()).history(),
+                        models -> models.of(new OpenGlRoom()).show(GlView.values()[1])));
     }
 
     private static Arguments lab(

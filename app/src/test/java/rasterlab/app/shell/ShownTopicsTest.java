@@ -25,12 +25,14 @@ import rasterlab.app.canvas.method.TopicColours;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.golden.GoldenFile;
 import rasterlab.app.language.Language;
+import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.outcome.KeptJson;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
 import rasterlab.app.shell.labs.LabsFile;
 import rasterlab.app.study.chart.TopicNames;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
@@ -134,9 +136,9 @@ class ShownTopicsTest {
         var choices = new StringJoiner("\n");
         for (Map.Entry<String, Object> lab : LabsFile.choices(models).entrySet())
             choices.add(lab.getKey() + ordered(KeptJson.MAPPER.valueToTree(lab.getValue())));
-        var seen = models.visibility().state();
+        var seen = models.of(new VisibilityRoom()).state();
         choices.add(seen.choice().visibility() + " of " + seen.choice().scene());
-        for (var note : List.of(seen.note(), models.light().note()))
+        for (var note : List.of(seen.note(), models.of(new LightRoom()).state().note()))
             choices.add(note.map(one -> one.in(Language.ENGLISH)).orElse("-"));
         return FRACTION.matcher(choices.toString())
                 .replaceAll(number -> Double.toHexString(Double.parseDouble(number.group())));

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.language.Language;
+import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.settings.LabTheme;
 
@@ -30,7 +31,7 @@ class ToldHazardTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     try (var models = LabModels.first(failures::add)) {
-                        models.light().showColours(true);
+                        models.of(new LightRoom()).showColours(true);
                         tellAgain(models, "light", "deep-blue");
                         tellAgain(models, "line", "far-away");
                     }

@@ -34,6 +34,7 @@ import rasterlab.app.canvas.work.History;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.practice.PracticeCards;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.shell.labs.LabModels;
@@ -266,11 +267,11 @@ class WhichIsNextTest {
 
     @Test
     void leavingShowsTheLabAsItWasWithItsUndo() throws InterruptedException {
-        History<?> history = models.line().history();
+        History<?> history = models.of(new LineRoom()).history();
         OffscreenPainter.onEventThread(
                 () -> {
-                    models.line().show(new Segment(0, 0, 9, 4));
-                    models.line().show(new Segment(1, 1, 9, 4));
+                    models.of(new LineRoom()).show(new Segment(0, 0, 9, 4));
+                    models.of(new LineRoom()).show(new Segment(1, 1, 9, 4));
                     history.undo();
                 });
         long changes = history.changes();
@@ -279,7 +280,7 @@ class WhichIsNextTest {
         inLine(lab -> act(find(lab, "practice.stage", JComponent.class), "ESCAPE"));
         assertTrue(search(line(), "practice.stage").isEmpty(), "the mode is left");
         assertTrue(search(line(), "questions").isPresent(), "the lab is seen");
-        assertEquals(new Segment(0, 0, 9, 4), models.line().state().choice().segment());
+        assertEquals(new Segment(0, 0, 9, 4), models.of(new LineRoom()).state().choice().segment());
         assertEquals(changes, history.changes());
         assertTrue(history.undoable());
         assertTrue(history.redoable());

@@ -1,19 +1,15 @@
 package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
-import java.util.regex.Pattern;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -67,15 +63,6 @@ class GrowthChartTest {
         assertEquals(Axis.values().length, columns.size(), "heads of columns");
         assertTrue(columns.get(2)[1] < table.getWidth() - 2, "the last head is cut");
         assertTrue(rows.get(rows.size() - 1)[1] < table.getHeight() - 2, "the last row is cut");
-    }
-
-    @Test
-    @DisplayName("an axis writes 1E4 for 10⁴")
-    void numbersOfTheAxesArePowersOfTen() {
-        String svg =
-                new String(chart.svg(Language.ENGLISH, ChartLook.PAPER), StandardCharsets.UTF_8);
-        assertTrue(svg.contains(">10⁴<"), svg);
-        assertFalse(Pattern.compile(">\\dE-?\\d+<").matcher(svg).find(), svg);
     }
 
     /** First and last of what follows each other with less than {@code gap} empty between. */

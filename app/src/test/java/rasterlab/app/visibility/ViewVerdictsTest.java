@@ -5,8 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,16 +21,12 @@ import rasterlab.engine.study.Verdict;
 @Tag("slow")
 @Timeout(300)
 class ViewVerdictsTest {
-    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-
-    private Map<String, Verdict.Kind> found(HazardView view) throws InterruptedException {
-        var told = new AtomicReference<Map<String, Verdict.Kind>>();
-        try (var verdicts = new ViewVerdicts(Runnable::run, failures::add)) {
-            verdicts.ask(request(view), told::set);
-            verdicts.settle();
+    private static Map<String, Verdict.Kind> found(HazardView view) {
+        var told = new CompletableFuture<Map<String, Verdict.Kind>>();
+        try (var verdicts = new ViewVerdicts(Runnable::run, told::completeExceptionally)) {
+            verdicts.ask(request(view), told::complete);
+            return told.join();
         }
-        assertEquals(List.of(), failures);
-        return told.get();
     }
 
     private static RenderRequest request(HazardView view) {

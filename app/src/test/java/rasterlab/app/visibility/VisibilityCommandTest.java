@@ -138,7 +138,8 @@ class VisibilityCommandTest {
                         new Renderer()::render,
                         Runnable::run,
                         Throwable::printStackTrace)) {
-            model.compare("cube", "painter", "warnock");
+            model.choose(
+                    choice -> choice.comparing("cube", "painter", "warnock").withDifference(true));
             List<String> lines = VisibilityCommand.now(model).text().lines().toList();
             assertEquals(2, lines.size());
             assertTrue(lines.get(0).contains("--visibility painter"), lines.get(0));

@@ -78,7 +78,8 @@ class VisibilityMarksTest {
     @Test
     void wrongPixelsAreMarkedAtTheLastStepOnly() {
         model.resize(60, 40);
-        model.compare("cyclic-overlap", "painter", "");
+        model.choose(
+                choice -> choice.comparing("cyclic-overlap", "painter", "").withDifference(true));
         model.watchSteps(true);
         settle();
         assertTrue(model.state().difference().isPresent());

@@ -129,13 +129,19 @@ class WrongRowsTest {
         assertEquals("–", value("missing").getText());
         assertEquals("–", value("share").getText());
         assertEquals("newell: 0", value("other").getText());
-        model.compare("cyclic-overlap", "painter", OwnMethods.NAME);
+        model.choose(
+                choice ->
+                        choice.comparing("cyclic-overlap", "painter", OwnMethods.NAME)
+                                .withDifference(true));
         thread.settle(model::settle);
         inspector.refresh();
         assertTrue(value("wrongPixels").getText().matches("painter: [1-9][0-9,]*"));
         assertNull(value("wrongPixels").getToolTipText());
         assertEquals("my program: no answer", value("other").getText());
-        model.compare("cyclic-overlap", OwnMethods.NAME, "");
+        model.choose(
+                choice ->
+                        choice.comparing("cyclic-overlap", OwnMethods.NAME, "")
+                                .withDifference(true));
         thread.settle(model::settle);
         inspector.refresh();
         assertEquals("no answer", value("wrongPixels").getText());

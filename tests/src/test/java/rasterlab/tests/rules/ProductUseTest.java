@@ -9,8 +9,6 @@ import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -34,9 +32,6 @@ class ProductUseTest {
     /** Programs: Java itself starts them. */
     private static final Set<String> STARTED =
             Set.of("rasterlab.app.Main", "rasterlab.grader.MainKt");
-
-    /** Methods of the window that only its tests call today, one a line: no line is added. */
-    private static final String ONLY_TESTED = "only-tested.txt";
 
     /** Where methods are judged. */
     private static final List<String> JUDGED =
@@ -90,24 +85,11 @@ class ProductUseTest {
 
     @Test
     @DisplayName("a method of the product is called by tests alone, or by nobody")
-    void everyMethodIsUsed() throws IOException {
-        Set<String> listed = listed();
-        var fresh = new TreeSet<>(unusedMethods());
-        fresh.removeAll(listed);
+    void everyMethodIsUsed() {
         assertEquals(
                 Set.of(),
-                fresh,
+                unusedMethods(),
                 "no class of the product calls these: move them to the tests, use or delete them");
-        var used = new TreeSet<>(listed);
-        used.removeAll(unusedMethods());
-        assertEquals(Set.of(), used, "these are used or gone: take them off " + ONLY_TESTED);
-    }
-
-    private static Set<String> listed() throws IOException {
-        try (var in = ProductUseTest.class.getResourceAsStream(ONLY_TESTED)) {
-            String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
-            return text.lines().collect(Collectors.toCollection(TreeSet::new));
-        }
     }
 
     private static Set<String> unusedMethods() {

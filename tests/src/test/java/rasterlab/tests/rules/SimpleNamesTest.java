@@ -69,7 +69,7 @@ class SimpleNamesTest {
     @Test
     @DisplayName("a type within another one is not seen, or a private one is")
     void nestedTypesOfBothLanguagesAreSeen() {
-        String java = "/*\n class No */ class A {\n    record B() {}\n    private enum C {}\n}";
+        String java = "/*\n class No */\nclass A {\n    record B() {}\n    private enum C {}\n}";
         assertEquals(List.of("A", "B"), allTypes("A.java", java));
         String kotlin = "class A {\n    data class B(\n    private class C\n    companion object {";
         assertEquals(List.of("A", "B"), allTypes("Main.kt", kotlin));

@@ -3,6 +3,7 @@ package rasterlab.tests.window;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabsFile;
@@ -10,6 +11,7 @@ import rasterlab.app.shell.settings.LabLook;
 import rasterlab.app.shell.settings.LabSettings;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.settings.SettingsFile;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** A window of its own process that changes something, says so and is never closed. */
 final class EndedWindow {
@@ -38,8 +40,8 @@ final class EndedWindow {
                         Throwable::printStackTrace);
         frame.setVisible(true);
         frame.wear(LabLook.first(Language.RUSSIAN).with(LabTheme.DARK));
-        frame.showTab("spline");
-        models.line().chooseMethod("dda");
+        WindowContent.of(frame).show("spline");
+        models.of(new LineRoom()).chooseMethod("dda");
         System.out.println(CHANGED);
     }
 }

@@ -22,6 +22,7 @@ import rasterlab.app.spline.CurveLabModel;
 import rasterlab.app.spline.FunctionLabModel;
 import rasterlab.app.spline.Place;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.SplineRoom;
 
 /** The tab of splines in a real window, by mouse and keyboard. */
 class SplineWindowTest extends WindowHarness {
@@ -119,7 +120,9 @@ class SplineWindowTest extends WindowHarness {
     void otherLabIsChosenAndItsKnotsAreMoved() {
         window.comboBox("mode").selectItem(1);
         robot.waitForIdle();
-        assertEquals(SplineMode.FUNCTION, GuiActionRunner.execute(() -> models.spline().mode()));
+        assertEquals(
+                SplineMode.FUNCTION,
+                GuiActionRunner.execute(() -> models.of(new SplineRoom()).mode()));
         Place before = knots().get(3);
         drag("point.3", 0, -40);
         assertTrue(knots().get(3).y() > before.y(), "y grows upward: " + knots());
@@ -136,7 +139,7 @@ class SplineWindowTest extends WindowHarness {
     @CsvSource({"900, 600", "1280, 800", "2560, 1440"})
     void everyFormIsInSightInEverySize(int width, int height) {
         window.resizeTo(new Dimension(width, height));
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         for (CurveForm form : CurveForm.values()) {
             GuiActionRunner.execute(() -> curve().chooseForm(form));
             robot.waitForIdle();
@@ -155,11 +158,11 @@ class SplineWindowTest extends WindowHarness {
     }
 
     private CurveLabModel curve() {
-        return models.spline().curve();
+        return models.of(new SplineRoom()).curve();
     }
 
     private FunctionLabModel function() {
-        return models.spline().function();
+        return models.of(new SplineRoom()).function();
     }
 
     private List<Place> points() {

@@ -7,6 +7,7 @@ import java.awt.event.WindowEvent;
 import rasterlab.app.cli.Lab;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.WindowStart;
+import rasterlab.tests.bench.window.WindowContent;
 
 /**
  * The lab as its command starts it; says what opens: the tab that is shown and its language, a
@@ -24,7 +25,7 @@ final class StartedWindow {
     private static void say(AWTEvent event) {
         if (event.getID() != WindowEvent.WINDOW_OPENED) return;
         if (event.getSource() instanceof LabFrame frame)
-            System.out.println(frame.shownTab() + " " + frame.language());
+            System.out.println(WindowContent.of(frame).shown() + " " + frame.language());
         else if (event.getSource() instanceof Dialog dialog) System.out.println(dialog.getTitle());
     }
 }

@@ -16,11 +16,13 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.clip.ClipChoice;
 import rasterlab.app.clip.ClipLabState;
+import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.app.clip.scene.ClipPoint;
 import rasterlab.app.clip.scene.SpacePoint;
 import rasterlab.app.language.Language;
 import rasterlab.app.rooms.LabRooms;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** The clipping lab's window under a real display, by mouse and keyboard. */
 class WindowClipTest extends WindowHarness {
@@ -30,7 +32,7 @@ class WindowClipTest extends WindowHarness {
     }
 
     private ClipLabState state() {
-        return GuiActionRunner.execute(() -> models.clip().state());
+        return GuiActionRunner.execute(() -> models.of(new ClipRoom()).state());
     }
 
     private ClipChoice choice() {
@@ -98,7 +100,7 @@ class WindowClipTest extends WindowHarness {
         press(KeyEvent.VK_HOME);
         await("nothing is clipped yet", () -> !colours("stage").contains(left));
         press(KeyEvent.VK_PAGE_DOWN);
-        assertEquals(1, models.clip().step());
+        assertEquals(1, models.of(new ClipRoom()).step());
         press(KeyEvent.VK_END);
         await("the result is drawn again", () -> colours("stage").contains(left));
     }
@@ -158,9 +160,9 @@ class WindowClipTest extends WindowHarness {
         window.comboBox("mode").selectItem(ClipMode.VOLUME.ordinal());
         robot.waitForIdle();
         ClipChoice before = choice();
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
-        assertEquals("clip", frame.shownTab());
+        assertEquals("clip", WindowContent.of(frame).shown());
         assertEquals(before, choice());
     }
 }

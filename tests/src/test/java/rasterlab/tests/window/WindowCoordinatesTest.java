@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.coordinates.CoordinatesLabModel;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.list.ListChoice;
 import rasterlab.app.coordinates.list.ListItem;
@@ -33,6 +34,7 @@ import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.coordinates.view.ViewNumber;
 import rasterlab.app.language.Language;
 import rasterlab.app.rooms.LabRooms;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** The window of the labs of coordinates under a real display, by mouse and keyboard. */
 class WindowCoordinatesTest extends WindowHarness {
@@ -42,7 +44,7 @@ class WindowCoordinatesTest extends WindowHarness {
     }
 
     private CoordinatesLabModel labs() {
-        return models.coordinates();
+        return models.of(new CoordinatesRoom());
     }
 
     private ViewChoice view() {
@@ -277,9 +279,9 @@ class WindowCoordinatesTest extends WindowHarness {
     @EnumSource(CoordinatesMode.class)
     void languageKeepsTheLab(CoordinatesMode mode) {
         choose(mode);
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
-        assertEquals("coordinates", frame.shownTab());
+        assertEquals("coordinates", WindowContent.of(frame).shown());
         assertEquals(mode, labs().mode());
         window.comboBox("mode").requireSelection(mode.ordinal());
     }

@@ -19,8 +19,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.line.Segment;
+import rasterlab.tests.bench.window.WindowContent;
 import rasterlab.tests.grading.Solutions;
 
 /** The tab of exercises under a real display, by mouse and keyboard. */
@@ -61,11 +63,11 @@ class WindowExercisesTest extends ExercisesHarness {
         window.comboBox("view").selectItem(0);
         window.button("open").click();
         robot.waitForIdle();
-        assertEquals("line", frame.shownTab());
+        assertEquals("line", WindowContent.of(frame).shown());
         assertEquals(new Segment(4, 3, 4, 3), segment());
         await(
                 "the program's pixels beside the right ones",
-                () -> models.line().state().other().isPresent());
+                () -> models.of(new LineRoom()).state().other().isPresent());
     }
 
     @Test
@@ -117,9 +119,9 @@ class WindowExercisesTest extends ExercisesHarness {
         focus("source");
         press(KeyEvent.VK_X);
         await("the draft is on the disk", () -> drafted().startsWith("x"));
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
-        assertEquals("exercises", frame.shownTab());
+        assertEquals("exercises", WindowContent.of(frame).shown());
         assertTrue(source().startsWith("x"), source());
     }
 
@@ -128,7 +130,7 @@ class WindowExercisesTest extends ExercisesHarness {
         focus("source");
         JTextComponent editor = editor();
         show("line");
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
         assertEquals(0, GuiActionRunner.execute(() -> editor.getCaret().getBlinkRate()));
         show("exercises");
@@ -171,7 +173,8 @@ class WindowExercisesTest extends ExercisesHarness {
         String text = source() + "// far below\n".repeat(80);
         List<Integer> place = typeAndSelectFarBelow(text);
         switch (look) {
-            case "spoken language" -> GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+            case "spoken language" ->
+                    GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
             case "chosen language" -> {
                 window.comboBox("language").selectItem(Language.RUSSIAN.ordinal());
                 await("Russian", () -> frame.language() == Language.RUSSIAN);
@@ -190,7 +193,7 @@ class WindowExercisesTest extends ExercisesHarness {
         List<Integer> place = typeAndSelectFarBelow(text);
         window.button("check").click();
         await("it runs", () -> window.button("cancel").isEnabled());
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         assertEquals(place, place());
         assertTrue(window.button("cancel").isEnabled(), "the check is given up");
         window.button("undo").click();

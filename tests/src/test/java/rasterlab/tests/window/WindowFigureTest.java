@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.figure.ArcFigure;
 import rasterlab.app.line.figure.Dashes;
 import rasterlab.app.line.figure.FigureState;
@@ -30,7 +31,7 @@ class WindowFigureTest extends WindowHarness {
     }
 
     private FigureState state() {
-        return GuiActionRunner.execute(() -> models.line().figures().state());
+        return GuiActionRunner.execute(() -> models.of(new LineRoom()).figures().state());
     }
 
     private <F> F figure(Class<F> kind) {
@@ -152,9 +153,10 @@ class WindowFigureTest extends WindowHarness {
     @Test
     void languageKeepsTheModeAndTheSegmentComesBack() {
         choose(LineMode.CIRCLE);
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
-        assertEquals(LineMode.CIRCLE, GuiActionRunner.execute(() -> models.line().mode()));
+        assertEquals(
+                LineMode.CIRCLE, GuiActionRunner.execute(() -> models.of(new LineRoom()).mode()));
         window.comboBox("mode").selectItem(LineMode.SEGMENT.ordinal());
         robot.waitForIdle();
         int before = segment().x0();

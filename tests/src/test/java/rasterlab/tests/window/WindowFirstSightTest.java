@@ -13,6 +13,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.line.LineRoom;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** Opens the window for the first time, and presses what a new user sees. */
 class WindowFirstSightTest extends WindowHarness {
@@ -22,7 +24,7 @@ class WindowFirstSightTest extends WindowHarness {
         if (control.equals("method")) window.comboBox(control).focus();
         else robot.click(robot.finder().findByName(control, true));
         robot.waitForIdle();
-        int last = models.line().last();
+        int last = models.of(new LineRoom()).last();
         press(KeyEvent.VK_HOME);
         assertEquals(1, step());
         press(KeyEvent.VK_PAGE_DOWN);
@@ -36,7 +38,7 @@ class WindowFirstSightTest extends WindowHarness {
 
     private int step() {
         robot.waitForIdle();
-        return GuiActionRunner.execute(() -> models.line().step());
+        return GuiActionRunner.execute(() -> models.of(new LineRoom()).step());
     }
 
     @Test
@@ -52,10 +54,10 @@ class WindowFirstSightTest extends WindowHarness {
         window.button("chip.steep").click();
         window.label("hazard.verdict").requireText("bresenham: exact");
         window.button("hazard.method.naive-textbook").click();
-        assertEquals("naive-textbook", models.line().state().choice().method());
+        assertEquals("naive-textbook", models.of(new LineRoom()).state().choice().method());
         window.label("hazard.verdict").requireText("naive-textbook: wrong");
         window.button("hazard.method.bresenham").click();
-        assertEquals("bresenham", models.line().state().choice().method());
+        assertEquals("bresenham", models.of(new LineRoom()).state().choice().method());
     }
 
     @Test
@@ -66,7 +68,7 @@ class WindowFirstSightTest extends WindowHarness {
         robot.waitForIdle();
         window.button("open").click();
         await("the strip", () -> isSeen("hazard.strip"));
-        assertEquals("line", frame.shownTab());
+        assertEquals("line", WindowContent.of(frame).shown());
         window.label("hazard.verdict").requireText("naive-textbook: exact");
     }
 

@@ -34,6 +34,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.file.LastChosen;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabsFile;
@@ -41,7 +42,9 @@ import rasterlab.app.shell.settings.LabLook;
 import rasterlab.app.shell.settings.LabSettings;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.settings.SettingsFile;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.line.Segment;
+import rasterlab.tests.bench.window.WindowContent;
 import rasterlab.tests.display.OwnDisplay;
 
 /** The lab's window, open on a real display while a test runs; its failures fail the test. */
@@ -144,7 +147,7 @@ abstract class WindowHarness {
 
     /** Shows the tab, which is made in several steps, some of them in the background. */
     void show(String tab) {
-        GuiActionRunner.execute(() -> frame.showTab(tab));
+        GuiActionRunner.execute(() -> WindowContent.of(frame).show(tab));
         await("the tab " + tab, () -> isSeen(tab));
         robot.waitForIdle();
     }
@@ -166,11 +169,11 @@ abstract class WindowHarness {
     }
 
     Segment segment() {
-        return GuiActionRunner.execute(() -> models.line().state().choice().segment());
+        return GuiActionRunner.execute(() -> models.of(new LineRoom()).state().choice().segment());
     }
 
     double theta() {
-        return models.visibility().state().choice().camera().thetaRadians();
+        return models.of(new VisibilityRoom()).state().choice().camera().thetaRadians();
     }
 
     static void await(String what, BooleanSupplier held) {

@@ -23,7 +23,9 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTabs;
 import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.line.Segment;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** Where the keyboard goes: to the picture of the chosen tab. */
 class WindowKeysTest extends WindowHarness {
@@ -47,13 +49,13 @@ class WindowKeysTest extends WindowHarness {
         await(
                 "the new view is drawn",
                 () ->
-                        models.visibility()
+                        models.of(new VisibilityRoom())
                                 .state()
                                 .picture()
                                 .orElseThrow()
                                 .request()
                                 .camera()
-                                .equals(models.visibility().state().choice().camera()));
+                                .equals(models.of(new VisibilityRoom()).state().choice().camera()));
     }
 
     @Test
@@ -126,14 +128,14 @@ class WindowKeysTest extends WindowHarness {
             }
             default -> {
                 int key = tab.equals("line") ? KeyEvent.VK_LEFT : KeyEvent.VK_RIGHT;
-                while (!frame.shownTab().equals(tab)) {
+                while (!WindowContent.of(frame).shown().equals(tab)) {
                     focus("tabs");
                     press(key);
                 }
             }
         }
         robot.waitForIdle();
-        assertEquals(tab, frame.shownTab());
+        assertEquals(tab, WindowContent.of(frame).shown());
     }
 
     @Test
@@ -184,7 +186,7 @@ class WindowKeysTest extends WindowHarness {
     @Test
     void otherLanguageLeavesTheKeysToTheShownPicture() {
         show("visibility");
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
         double theta = theta();
         press(KeyEvent.VK_RIGHT);
@@ -197,7 +199,7 @@ class WindowKeysTest extends WindowHarness {
         GuiActionRunner.execute(
                 () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().clearFocusOwner());
         robot.waitForIdle();
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
         double theta = theta();
         press(KeyEvent.VK_RIGHT);
@@ -321,7 +323,7 @@ class WindowKeysTest extends WindowHarness {
         press(KeyEvent.VK_F6);
         if (back) robot.releaseKey(KeyEvent.VK_SHIFT);
         await(wanted.toString(), wanted::isFocusOwner);
-        assertEquals("exercises", frame.shownTab());
+        assertEquals("exercises", WindowContent.of(frame).shown());
     }
 
     private Component source() {

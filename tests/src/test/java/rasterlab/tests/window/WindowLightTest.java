@@ -167,7 +167,7 @@ class WindowLightTest extends WindowHarness {
         awaitTheLampMoving();
         GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
         awaitTheLampMoving();
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         awaitTheLampMoving();
         assertEquals(6, number("player.speed"));
         window.button("player.play").click();
@@ -179,7 +179,7 @@ class WindowLightTest extends WindowHarness {
         window.button("player.play").click();
         show("line");
         GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         show("light");
         awaitTheLampMoving();
         assertEquals(6, number("player.speed"));
@@ -220,7 +220,7 @@ class WindowLightTest extends WindowHarness {
         window.comboBox("mode").selectItem(1);
         GuiActionRunner.execute(() -> window.slider("rgb.red").target().setValue(0));
         String before = text("hex.value");
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
         assertEquals(before, text("hex.value"));
     }

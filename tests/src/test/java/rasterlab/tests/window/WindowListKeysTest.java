@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.SplineRoom;
 
 /** Lists that lead to a tab's other labs, by keys, under a real display. */
 class WindowListKeysTest extends WindowHarness {
@@ -49,9 +50,9 @@ class WindowListKeysTest extends WindowHarness {
         show("spline");
         window.comboBox("mode").selectItem(SplineMode.FUNCTION.ordinal());
         robot.waitForIdle();
-        var before = models.spline().function().state().choice().knots();
+        var before = models.of(new SplineRoom()).function().state().choice().knots();
         press(KeyEvent.VK_UP);
-        var after = models.spline().function().state().choice().knots();
+        var after = models.of(new SplineRoom()).function().state().choice().knots();
         assertEquals(before.get(0).x(), after.get(0).x());
         assertTrue(after.get(0).y() > before.get(0).y(), after.toString());
     }

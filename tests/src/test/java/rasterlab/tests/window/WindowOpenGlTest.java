@@ -28,11 +28,13 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.opengl.GlView;
 import rasterlab.app.opengl.OpenGlLabState;
+import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.Group;
 import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.raster.Raster;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** The OpenGL lab's window under a real display, by mouse and keyboard. */
 class WindowOpenGlTest extends WindowHarness {
@@ -51,7 +53,7 @@ class WindowOpenGlTest extends WindowHarness {
     }
 
     private OpenGlLabState state() {
-        return GuiActionRunner.execute(() -> models.opengl().state());
+        return GuiActionRunner.execute(() -> models.of(new OpenGlRoom()).state());
     }
 
     private GlChoice choice() {
@@ -61,7 +63,7 @@ class WindowOpenGlTest extends WindowHarness {
     /** Whether the pictures are there and have the size that is wanted now. */
     private boolean settled(OpenGlLabState state) {
         if (state.missing().isPresent()) return true;
-        var frame = GuiActionRunner.execute(() -> models.opengl().frame());
+        var frame = GuiActionRunner.execute(() -> models.of(new OpenGlRoom()).frame());
         return frame.isPresent()
                 && state.pictures()
                         .openGl()
@@ -135,7 +137,7 @@ class WindowOpenGlTest extends WindowHarness {
                 select(setting.code(), 1);
                 assertEquals(setting.options().get(1), choice().get(setting), setting.code());
                 GuiActionRunner.execute(
-                        () -> models.opengl().set(setting, setting.options().get(0)));
+                        () -> models.of(new OpenGlRoom()).set(setting, setting.options().get(0)));
             }
         }
     }
@@ -173,13 +175,13 @@ class WindowOpenGlTest extends WindowHarness {
         Component old = named("opengl.canvas");
         GuiActionRunner.execute(
                 () -> {
-                    models.opengl().set(Setting.SCENE, "globe");
-                    frame.speak(Language.RUSSIAN);
+                    models.of(new OpenGlRoom()).set(Setting.SCENE, "globe");
+                    frame.wear(frame.look().with(Language.RUSSIAN));
                     frame.wear(frame.look().with(LabTheme.DARK));
                 });
         robot.waitForIdle();
         assertNotSame(old, named("opengl.canvas"));
-        GuiActionRunner.execute(() -> models.opengl().set(Setting.SCENE, "quad"));
+        GuiActionRunner.execute(() -> models.of(new OpenGlRoom()).set(Setting.SCENE, "quad"));
         screenShowsWhatOpenGlHasDrawn();
     }
 
@@ -187,7 +189,7 @@ class WindowOpenGlTest extends WindowHarness {
     void hiddenAndShownAgainItDrawsOn() {
         Set<Integer> before = drawn();
         show("line");
-        GuiActionRunner.execute(() -> models.opengl().set(Setting.SCENE, "globe"));
+        GuiActionRunner.execute(() -> models.of(new OpenGlRoom()).set(Setting.SCENE, "globe"));
         show("opengl");
         await("the picture of the other scene", () -> !drawn().equals(before));
         screenShowsWhatOpenGlHasDrawn();
@@ -201,15 +203,15 @@ class WindowOpenGlTest extends WindowHarness {
             Language language = Language.values()[round % 2];
             GuiActionRunner.execute(
                     () -> {
-                        frame.showTab("opengl");
-                        frame.speak(language);
-                        frame.showTab("line");
+                        WindowContent.of(frame).show("opengl");
+                        frame.wear(frame.look().with(language));
+                        WindowContent.of(frame).show("line");
                     });
-            GuiActionRunner.execute(() -> frame.showTab("opengl"));
+            GuiActionRunner.execute(() -> WindowContent.of(frame).show("opengl"));
         }
         show("opengl");
         awaitOpenGlsWindow();
-        GuiActionRunner.execute(() -> models.opengl().set(Setting.SCENE, "globe"));
+        GuiActionRunner.execute(() -> models.of(new OpenGlRoom()).set(Setting.SCENE, "globe"));
         screenShowsWhatOpenGlHasDrawn();
     }
 
@@ -231,13 +233,13 @@ class WindowOpenGlTest extends WindowHarness {
         ImageIO.write(new BufferedImage(12, 7, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
         GuiActionRunner.execute(
                 () -> {
-                    models.opengl().set(Setting.SCENE, "quad");
-                    models.opengl().open(file);
+                    models.of(new OpenGlRoom()).set(Setting.SCENE, "quad");
+                    models.of(new OpenGlRoom()).open(file);
                 });
         await("the image is the texture", () -> choice().is(Setting.IMAGE, "file"));
         assertTrue(window.label("file.value").text().contains("own.png"));
         Path broken = Files.writeString(folder.resolve("broken.png"), "no image");
-        GuiActionRunner.execute(() -> models.opengl().open(broken));
+        GuiActionRunner.execute(() -> models.of(new OpenGlRoom()).open(broken));
         await(
                 "the reason",
                 () ->

@@ -16,6 +16,7 @@ import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.polygon.PolygonChoice;
 import rasterlab.app.polygon.PolygonLabState;
+import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.polygon.figure.BrushKind;
 import rasterlab.app.polygon.figure.CutFigure;
 import rasterlab.app.polygon.figure.FillFigure;
@@ -24,6 +25,7 @@ import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.polygon.figure.PolygonPoint;
 import rasterlab.app.polygon.figure.SeedFigure;
 import rasterlab.contract.FillRule;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** The lab of polygons under a real display, by mouse and keyboard. */
 class WindowPolygonTest extends WindowHarness {
@@ -33,7 +35,7 @@ class WindowPolygonTest extends WindowHarness {
     }
 
     private PolygonLabState state() {
-        return GuiActionRunner.execute(() -> models.polygon().state());
+        return GuiActionRunner.execute(() -> models.of(new PolygonRoom()).state());
     }
 
     private PolygonChoice choice() {
@@ -197,9 +199,9 @@ class WindowPolygonTest extends WindowHarness {
     void languageKeepsTheSceneAndTheMode() {
         choose(PolygonMode.SEED);
         PolygonChoice before = choice();
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
-        assertEquals("polygon", frame.shownTab());
+        assertEquals("polygon", WindowContent.of(frame).shown());
         assertEquals(before, choice());
     }
 }

@@ -26,6 +26,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Study;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** The tab of speed and accuracy under a real display, by mouse and keyboard. */
 @Timeout(300)
@@ -100,7 +101,7 @@ class WindowStudyTest extends WindowHarness {
         assertEquals(topic.methods().get(0).name(), state().method());
         window.button("open").click();
         robot.waitForIdle();
-        assertEquals("line", frame.shownTab());
+        assertEquals("line", WindowContent.of(frame).shown());
         var input = (rasterlab.engine.line.Segment) topic.hazards().get(0).input();
         assertEquals(input, segment());
     }
@@ -112,7 +113,7 @@ class WindowStudyTest extends WindowHarness {
         window.table("hazards").selectCell(TableCell.row(1).column(1));
         focus("hazards");
         press(KeyEvent.VK_ENTER);
-        assertEquals("spline", frame.shownTab());
+        assertEquals("spline", WindowContent.of(frame).shown());
     }
 
     @Test
@@ -124,7 +125,7 @@ class WindowStudyTest extends WindowHarness {
         assertTrue(window.textBox("input").text().length() > 10);
         window.button("open").click();
         robot.waitForIdle();
-        assertEquals("visibility", frame.shownTab());
+        assertEquals("visibility", WindowContent.of(frame).shown());
         JPanel rows = window.panel("rows").target();
         assertEquals("z24", window.panel("rows").comboBox("method").selectedItem());
         window.panel("rows").comboBox("mode").selectItem(0);
@@ -198,10 +199,10 @@ class WindowStudyTest extends WindowHarness {
         window.table("hazards").selectCell(TableCell.row(2).column(1));
         robot.waitForIdle();
         var before = state();
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         window.resizeTo(new Dimension(900, 600));
         robot.waitForIdle();
         assertEquals(before, state());
-        assertEquals("study", frame.shownTab());
+        assertEquals("study", WindowContent.of(frame).shown());
     }
 }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.settings.LabLook;
 import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** Tabs on their way into the window, which come in several events. */
 class WindowTabsTest extends WindowHarness {
@@ -21,7 +22,7 @@ class WindowTabsTest extends WindowHarness {
         var seen = new ArrayList<Boolean>();
         GuiActionRunner.execute(
                 () -> {
-                    frame.showTab("polygon");
+                    WindowContent.of(frame).show("polygon");
                     note(seen);
                 });
         await("the tab polygon", () -> isSeen("polygon"));
@@ -42,11 +43,11 @@ class WindowTabsTest extends WindowHarness {
         GuiActionRunner.execute(
                 () -> {
                     for (String tab : List.of("exercises", "polygon", "clip", "spline"))
-                        frame.showTab(tab);
+                        WindowContent.of(frame).show(tab);
                 });
         await("the tab spline", () -> isSeen("spline"));
         robot.waitForIdle();
-        assertEquals("spline", frame.shownTab());
+        assertEquals("spline", WindowContent.of(frame).shown());
         assertTrue(isSeen("spline"));
         show("exercises");
         show("polygon");
@@ -56,12 +57,12 @@ class WindowTabsTest extends WindowHarness {
     void tabThatIsShownAlreadyCallsOffTheOneOnItsWay() {
         GuiActionRunner.execute(
                 () -> {
-                    frame.showTab("polygon");
-                    frame.showTab("line");
+                    WindowContent.of(frame).show("polygon");
+                    WindowContent.of(frame).show("line");
                 });
         robot.waitForIdle();
         assertTrue(isSeen("line"));
-        assertEquals("line", frame.shownTab());
+        assertEquals("line", WindowContent.of(frame).shown());
         press(KeyEvent.VK_DOWN);
         assertTrue(isSeen("line"));
     }
@@ -71,14 +72,14 @@ class WindowTabsTest extends WindowHarness {
         var look = LabLook.first(Language.RUSSIAN).with(LabTheme.DARK);
         GuiActionRunner.execute(
                 () -> {
-                    frame.showTab("exercises");
+                    WindowContent.of(frame).show("exercises");
                     frame.wear(look);
-                    frame.showTab("clip");
-                    frame.speak(Language.ENGLISH);
+                    WindowContent.of(frame).show("clip");
+                    frame.wear(frame.look().with(Language.ENGLISH));
                 });
         await("the tab clip", () -> isSeen("clip"));
         robot.waitForIdle();
         assertEquals(look.with(Language.ENGLISH), frame.look());
-        assertEquals("clip", frame.shownTab());
+        assertEquals("clip", WindowContent.of(frame).shown());
     }
 }

@@ -23,16 +23,20 @@ import javax.swing.JTabbedPane;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.shell.LabTabs;
 import rasterlab.app.shell.settings.LabLook;
 import rasterlab.app.shell.settings.LabSettings;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.settings.SettingsFile;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PictureDifference;
+import rasterlab.tests.bench.window.WindowContent;
 
 /** The window under a real display, by mouse and keyboard. */
 class WindowTest extends WindowHarness {
@@ -63,16 +67,16 @@ class WindowTest extends WindowHarness {
 
     @Test
     void stepsBackAndForthAndPlaysToTheEnd() {
-        int last = models.line().last();
+        int last = models.of(new LineRoom()).last();
         window.button("player.back").click();
         window.button("player.back").click();
         robot.waitForIdle();
-        assertEquals(last - 2, models.line().step());
+        assertEquals(last - 2, models.of(new LineRoom()).step());
         window.button("player.toStart").click();
         robot.waitForIdle();
-        assertEquals(1, models.line().step());
+        assertEquals(1, models.of(new LineRoom()).step());
         window.button("player.play").click();
-        await("the end is played to", () -> models.line().step() == last);
+        await("the end is played to", () -> models.of(new LineRoom()).step() == last);
     }
 
     @Test
@@ -92,8 +96,10 @@ class WindowTest extends WindowHarness {
         window.button("chip.rounded").click();
         await(
                 "the difference is counted",
-                () -> models.visibility().state().difference().isPresent());
-        assertTrue(models.visibility().state().difference().orElseThrow().wrongPixels() > 0);
+                () -> models.of(new VisibilityRoom()).state().difference().isPresent());
+        assertTrue(
+                models.of(new VisibilityRoom()).state().difference().orElseThrow().wrongPixels()
+                        > 0);
     }
 
     @Test
@@ -101,14 +107,14 @@ class WindowTest extends WindowHarness {
         show("visibility");
         window.comboBox("language").selectItem(Language.RUSSIAN.ordinal());
         await("Russian", () -> frame.language() == Language.RUSSIAN);
-        assertEquals("visibility", frame.shownTab());
+        assertEquals("visibility", WindowContent.of(frame).shown());
         int light = window.robot().finder().findByName(frame, "tabs").getBackground().getRGB();
         window.button("look").click();
         window.menuItem("theme.dark").click();
         await("dark", () -> frame.look().theme() == LabTheme.DARK);
         int dark = window.robot().finder().findByName(frame, "tabs").getBackground().getRGB();
         assertTrue((dark & 255) < (light & 255), "background did not darken");
-        assertEquals("visibility", frame.shownTab());
+        assertEquals("visibility", WindowContent.of(frame).shown());
     }
 
     @Test
@@ -150,7 +156,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void noTextIsCutInRussian() {
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         var faults = new ArrayList<String>();
         for (Dimension size : SIZES) {
             window.resizeTo(size);
@@ -172,7 +178,7 @@ class WindowTest extends WindowHarness {
         }
         for (CoordinatesMode mode : CoordinatesMode.values()) {
             show("coordinates");
-            GuiActionRunner.execute(() -> models.coordinates().show(mode));
+            GuiActionRunner.execute(() -> models.of(new CoordinatesRoom()).show(mode));
             robot.waitForIdle();
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, mode.name());
@@ -182,7 +188,7 @@ class WindowTest extends WindowHarness {
     @Test
     void closingKeepsTabAndLanguage() throws Exception {
         show("visibility");
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         GuiActionRunner.execute(frame::dispose);
         await("settings are written", () -> Files.exists(settings()));
         LabSettings kept =

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.visibility.VisibilityLabState;
+import rasterlab.app.visibility.VisibilityRoom;
 
 /** The hidden-surface lab's window under a real display, by mouse and keyboard. */
 class WindowVisibilityTest extends WindowHarness {
@@ -50,7 +51,7 @@ class WindowVisibilityTest extends WindowHarness {
     }
 
     private VisibilityLabState state() {
-        return GuiActionRunner.execute(() -> models.visibility().state());
+        return GuiActionRunner.execute(() -> models.of(new VisibilityRoom()).state());
     }
 
     private Component named(String name) {
@@ -203,7 +204,7 @@ class WindowVisibilityTest extends WindowHarness {
     void languageKeepsSceneAndPixel() {
         click("stage", middle("stage"));
         var before = state().choice();
-        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(Language.RUSSIAN)));
         robot.waitForIdle();
         assertEquals(before, state().choice());
         await("the history is shown again", () -> rows() >= 2);

@@ -47,9 +47,6 @@ public abstract class PlaneStage extends JPanel implements AutoCloseable {
         return view;
     }
 
-    /** Shows the model's present state. */
-    public abstract void refresh();
-
     /** A point is dragged to a place of the plane. */
     protected abstract void move(String point, double x, double y);
 

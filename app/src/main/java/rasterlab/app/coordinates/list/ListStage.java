@@ -31,8 +31,8 @@ final class ListStage extends PlaneStage {
         refresh();
     }
 
-    @Override
-    public void refresh() {
+    /** Shows the model's present state. */
+    void refresh() {
         Figure figure = figure(model.step());
         everything = MarkBounds.around(figure(model.last()).marks());
         everything.add(MarkBounds.around(figure.marks()));

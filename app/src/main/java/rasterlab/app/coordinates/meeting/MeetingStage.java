@@ -26,8 +26,8 @@ final class MeetingStage extends PlaneStage {
         refresh();
     }
 
-    @Override
-    public void refresh() {
+    /** Shows the model's present state. */
+    void refresh() {
         Figure figure = MeetingFigure.of(model.scene(), model.view());
         shown().show(
                         figure,

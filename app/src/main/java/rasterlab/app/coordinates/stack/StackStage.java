@@ -26,8 +26,8 @@ final class StackStage extends PlaneStage {
         refresh();
     }
 
-    @Override
-    public void refresh() {
+    /** Shows the model's present state. */
+    void refresh() {
         StackChoice choice = model.choice();
         StackScene whole = StackScene.of(choice.commands(), model.last());
         Figure figure = StackFigure.of(model.scene(), choice.viewpoint());

@@ -115,24 +115,12 @@ public record Outcome(
 
     /** A report of this machine. */
     public static Outcome checked(Exercise exercise, String source, Report report) {
-        return checked(
-                source,
-                report,
-                report.cases().stream().map(one -> TriedCase.of(exercise, one)).toList());
-    }
-
-    /** The same where it is not known which exercise it is of. */
-    static Outcome checked(String source, Report report) {
-        return checked(source, report, report.cases().stream().map(TriedCase::of).toList());
-    }
-
-    private static Outcome checked(String source, Report report, List<TriedCase> cases) {
         return new Outcome(
                 source,
                 0,
                 report.verdict().code(),
                 report.points(),
-                cases,
+                report.cases().stream().map(one -> TriedCase.of(exercise, one)).toList(),
                 report.diagnostics().stream()
                         .map(one -> new Remark(one.line(), one.column(), Said.of(one::message)))
                         .toList(),

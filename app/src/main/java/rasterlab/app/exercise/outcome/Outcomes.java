@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -81,15 +80,6 @@ public final class Outcomes implements AutoCloseable {
 
     private void use(Exercise exercise, Outcome outcome, Consumer<Outcome> found) {
         if (known.putIfAbsent(exercise.id(), outcome) == null) found.accept(outcome);
-    }
-
-    /** Waits until all so far is read and written. Any other thread. */
-    public void settle() throws InterruptedException {
-        try {
-            files.submit(() -> {}).get();
-        } catch (ExecutionException e) {
-            throw new AssertionError("nothing was done", e);
-        }
     }
 
     /** Writes what is not written yet. */

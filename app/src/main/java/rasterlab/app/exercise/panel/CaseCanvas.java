@@ -162,11 +162,6 @@ public final class CaseCanvas extends SelfDrawn {
         choose(view().equals(BLINK) ? steady : BLINK);
     }
 
-    /** How far the pictures are drawn larger. */
-    CaseZoom zoom() {
-        return zoom;
-    }
-
     private void blinkWhereChosen() {
         if (!view().equals(BLINK)) blink.stop();
         else if (!blink.isRunning()) blink.start();

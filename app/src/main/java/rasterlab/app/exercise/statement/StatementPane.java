@@ -49,11 +49,6 @@ public final class StatementPane extends JEditorPane implements Settling {
         setBorder(javax.swing.BorderFactory.createEmptyBorder(4, 12, 8, 12));
     }
 
-    /** Shows the statement alone. */
-    void show(Exercise exercise, String language) {
-        show(exercise, language, "");
-    }
-
     /**
      * Shows the statement from its beginning, unless it is shown already, and of what is new below
      * it the end. Formulas stand there as their authors wrote them until they are set in the

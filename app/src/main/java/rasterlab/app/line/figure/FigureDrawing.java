@@ -140,11 +140,6 @@ public record FigureDrawing(
             decisions.putIfAbsent(new RasterPoint(steps.u(), steps.v()), steps.decision());
     }
 
-    /** Whether it is what the exact figure is. */
-    public boolean isRight() {
-        return ending == LineTrace.Ending.ENDED && judged && deviation.exact();
-    }
-
     /** Whether the pixels are all that the method draws, so that they can be told apart. */
     boolean whole() {
         return ending != LineTrace.Ending.REFUSED && ending != LineTrace.Ending.CUT;

@@ -57,9 +57,4 @@ public final class GlObjects {
         lists.values().forEach(list -> GL11.glDeleteLists(list, 1));
         lists.clear();
     }
-
-    /** How many objects OpenGL keeps for this. */
-    public int count() {
-        return textures.size() + lists.size();
-    }
 }

@@ -1,7 +1,6 @@
 package rasterlab.app.opengl.context;
 
 import java.nio.IntBuffer;
-import java.util.Optional;
 import org.lwjgl.PointerBuffer;
 import org.lwjgl.egl.EGL;
 import org.lwjgl.egl.EGL10;
@@ -9,7 +8,6 @@ import org.lwjgl.egl.EGL12;
 import org.lwjgl.egl.EGL14;
 import org.lwjgl.egl.EGL15;
 import org.lwjgl.opengl.GL;
-import org.lwjgl.opengl.GL11C;
 import org.lwjgl.opengl.GLCapabilities;
 import org.lwjgl.system.JNI;
 import org.lwjgl.system.MemoryStack;
@@ -129,13 +127,6 @@ public final class OffscreenContext implements AutoCloseable {
         GL.setCapabilities(null);
         EGL10.eglMakeCurrent(
                 display, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_CONTEXT);
-    }
-
-    /** The name of the program that draws, such as llvmpipe. */
-    public String renderer() {
-        return Optional.ofNullable(GL11C.glGetString(GL11C.GL_RENDERER)).orElse("unnamed")
-                + ", "
-                + GL11C.glGetString(GL11C.GL_VERSION);
     }
 
     /** Ends the context; the display is every context's of this program and stays. */

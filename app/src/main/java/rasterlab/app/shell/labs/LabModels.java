@@ -13,31 +13,15 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.card.LabRoom;
-import rasterlab.app.clip.ClipLabModel;
-import rasterlab.app.clip.ClipRoom;
-import rasterlab.app.coordinates.CoordinatesLabModel;
-import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.exercise.ExerciseLabModel;
 import rasterlab.app.exercise.UnsavedDraft;
 import rasterlab.app.exercise.panel.ExerciseRoom;
 import rasterlab.app.found.FoundHazards;
-import rasterlab.app.light.LightLabModel;
-import rasterlab.app.light.panel.LightRoom;
-import rasterlab.app.line.LineLabModel;
-import rasterlab.app.line.LineRoom;
 import rasterlab.app.mine.OwnMethods;
-import rasterlab.app.opengl.OpenGlLabModel;
-import rasterlab.app.opengl.OpenGlRoom;
-import rasterlab.app.polygon.PolygonLabModel;
-import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.practice.PracticeExercises;
 import rasterlab.app.practice.PracticeModel;
-import rasterlab.app.spline.SplineLabModel;
-import rasterlab.app.spline.SplineRoom;
 import rasterlab.app.study.StudyLabModel;
 import rasterlab.app.study.StudyRoom;
-import rasterlab.app.visibility.VisibilityLabModel;
-import rasterlab.app.visibility.VisibilityRoom;
 
 /**
  * The labs' models, which outlive the panels that show them; used on the event thread. Each is made
@@ -156,38 +140,6 @@ public final class LabModels implements AutoCloseable {
 
     private static long seed() {
         return ThreadLocalRandom.current().nextLong(PracticeModel.SEEDS);
-    }
-
-    public CoordinatesLabModel coordinates() {
-        return of(new CoordinatesRoom());
-    }
-
-    public LineLabModel line() {
-        return of(new LineRoom());
-    }
-
-    public PolygonLabModel polygon() {
-        return of(new PolygonRoom());
-    }
-
-    public ClipLabModel clip() {
-        return of(new ClipRoom());
-    }
-
-    public VisibilityLabModel visibility() {
-        return of(new VisibilityRoom());
-    }
-
-    public LightLabModel light() {
-        return of(new LightRoom());
-    }
-
-    public SplineLabModel spline() {
-        return of(new SplineRoom());
-    }
-
-    public OpenGlLabModel opengl() {
-        return of(new OpenGlRoom());
     }
 
     public StudyLabModel study() {

@@ -57,10 +57,6 @@ final class LeaderColumn {
         return names.stream().mapToInt(metrics::stringWidth).max().orElse(0);
     }
 
-    List<Label> labels() {
-        return labels;
-    }
-
     /** The rows of the labels, in their order. */
     List<Row> rows() {
         double[] ys = spread();

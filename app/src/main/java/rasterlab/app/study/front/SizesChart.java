@@ -101,11 +101,6 @@ public final class SizesChart implements StudyPicture {
         return (double) Math.max(1, items) / Math.max(1, inputs);
     }
 
-    /** Whether there is anything that grows: two sizes, and a value above 0. */
-    public boolean isTelling() {
-        return lines.stream().anyMatch(line -> line.points().size() > 1);
-    }
-
     /** Each method with its exponent, where there is one. */
     public Map<String, PowerFit> fits() {
         var fits = new LinkedHashMap<String, PowerFit>();

@@ -7,6 +7,8 @@ import java.awt.EventQueue;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -23,24 +25,31 @@ class CaseZoomTest {
         return canvas;
     }
 
-    private static void turn(CaseCanvas canvas, int x, int y, int notches) {
+    private static JPanel sized() {
+        var panel = new JPanel();
+        panel.setSize(400, 300);
+        return panel;
+    }
+
+    private static void turn(JComponent canvas, int x, int y, int notches) {
         canvas.dispatchEvent(
                 new MouseWheelEvent(
                         canvas, MouseWheelEvent.MOUSE_WHEEL, 0, 0, x, y, 0, false, 0, 3, notches));
     }
 
-    private static Point2D placed(CaseCanvas canvas, double x, double y) {
-        return canvas.zoom().transform().transform(new Point2D.Double(x, y), null);
+    private static Point2D placed(CaseZoom zoom, double x, double y) {
+        return zoom.transform().transform(new Point2D.Double(x, y), null);
     }
 
     @Test
     void wheelKeepsThePointUnderThePointer() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
-                    CaseCanvas canvas = canvas();
+                    JPanel canvas = sized();
+                    var zoom = new CaseZoom(canvas);
                     turn(canvas, 100, 200, -3);
-                    assertTrue(canvas.zoom().transform().getScaleX() > 1.5);
-                    Point2D same = placed(canvas, 100, 200);
+                    assertTrue(zoom.transform().getScaleX() > 1.5);
+                    Point2D same = placed(zoom, 100, 200);
                     assertEquals(100, same.getX(), 1e-9);
                     assertEquals(200, same.getY(), 1e-9);
                 });
@@ -50,15 +59,16 @@ class CaseZoomTest {
     void nothingButThePicturesComesInSight() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
-                    CaseCanvas canvas = canvas();
+                    JPanel canvas = sized();
+                    var zoom = new CaseZoom(canvas);
                     turn(canvas, 400, 300, -9);
                     turn(canvas, 0, 0, 5);
-                    Point2D first = placed(canvas, 0, 0);
-                    Point2D last = placed(canvas, 400, 300);
+                    Point2D first = placed(zoom, 0, 0);
+                    Point2D last = placed(zoom, 400, 300);
                     assertTrue(first.getX() <= 0 && first.getY() <= 0, first.toString());
                     assertTrue(last.getX() >= 400 && last.getY() >= 300, last.toString());
                     turn(canvas, 30, 40, 50);
-                    assertEquals(new AffineTransform(), canvas.zoom().transform());
+                    assertEquals(new AffineTransform(), zoom.transform());
                 });
     }
 

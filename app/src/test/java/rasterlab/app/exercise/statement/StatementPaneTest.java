@@ -66,7 +66,7 @@ class StatementPaneTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     pane[0] = new StatementPane("Statement", formulas, failures::add);
-                    pane[0].show(saying("Let $n+1$ be."), "en");
+                    pane[0].show(saying("Let $n+1$ be."), "en", "");
                     assertTrue(typeset(pane[0]).isEmpty(), "set on the event thread");
                     assertTrue(text(pane[0]).contains("Let $n+1$ be."), text(pane[0]));
                 });
@@ -234,7 +234,7 @@ class StatementPaneTest {
                     theme.install(percent);
                     pane[0] = new StatementPane("Statement", formulas, failures::add);
                     pane[0].setSize(500, 200);
-                    pane[0].show(saying(markdown), "en");
+                    pane[0].show(saying(markdown), "en", "");
                 });
         pane[0].settle();
         return pane[0];

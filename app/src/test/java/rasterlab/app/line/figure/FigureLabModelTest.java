@@ -87,7 +87,7 @@ class FigureLabModelTest {
 
     private static String said(FigureDrawing drawing) {
         if (drawing.ending() != LineTrace.Ending.ENDED) return drawing.ending().name();
-        return drawing.isRight() ? "right" : "wrong";
+        return RightFigure.is(drawing) ? "right" : "wrong";
     }
 
     /**
@@ -104,7 +104,7 @@ class FigureLabModelTest {
         FigureDrawing drawn = drawing();
         assertEquals(ending, drawn.ending());
         assertTrue(drawn.difference().isEmpty(), "it has wrong pixels");
-        assertFalse(drawn.isRight(), "it is called right");
+        assertFalse(RightFigure.is(drawn), "it is called right");
         for (Language language : Language.values()) {
             var readings = new FigureReadings(model.state(), Texts.of("line", language));
             assertEquals(
@@ -148,7 +148,7 @@ class FigureLabModelTest {
     @Test
     void aFigureOfAlmostAMillionPixelsIsJudged() {
         model.arc(old -> old.withRadiusX(176_000));
-        assertTrue(drawing().isRight(), "995,606 pixels");
+        assertTrue(RightFigure.is(drawing()), "995,606 pixels");
     }
 
     @Test

@@ -43,14 +43,20 @@ import rasterlab.app.canvas.method.HazardNote;
 import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
+import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.list.Trial;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.panel.LightRoom;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.SplineRoom;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Hazard;
@@ -204,11 +210,11 @@ class LabOpeningTest {
     @Test
     void noteIsToldToTheTabAndGoesWithTheScene() {
         open("visible-faces", "tiny", "convex-segment-textbook");
-        HazardNote note = models.visibility().state().note().orElseThrow();
+        HazardNote note = models.of(new VisibilityRoom()).state().note().orElseThrow();
         assertEquals("tiny", note.hazard());
         assertEquals(Verdict.Kind.WRONG, note.verdict().kind());
         open("visible-faces", "cube", "convex-segment-textbook");
-        assertEquals(Optional.empty(), models.visibility().state().note());
+        assertEquals(Optional.empty(), models.of(new VisibilityRoom()).state().note());
     }
 
     @ParameterizedTest(
@@ -225,7 +231,7 @@ class LabOpeningTest {
     void methodThatTheLabHasNotIsNamed(String topic, String hazard, String method, boolean named) {
         open(topic, hazard, method);
         boolean said =
-                models.light().note().stream()
+                models.of(new LightRoom()).state().note().stream()
                         .flatMap(note -> note.differences().stream())
                         .anyMatch(each -> each.kind() == ShownDifference.Kind.OTHER_METHOD);
         assertEquals(named, said);
@@ -244,14 +250,14 @@ class LabOpeningTest {
     @Test
     void rowsOpenInTheirTabsAndScenesCloseThem() {
         open("depth-buffer", "far-near-million", "z24");
-        assertTrue(models.visibility().rows().open());
-        assertEquals("z24", models.visibility().rows().choice().method());
+        assertTrue(models.of(new VisibilityRoom()).rows().open());
+        assertEquals("z24", models.of(new VisibilityRoom()).rows().choice().method());
         open("visible-faces", "cube", "back-face");
-        assertFalse(models.visibility().rows().open());
+        assertFalse(models.of(new VisibilityRoom()).rows().open());
         open("texture-filter", "turned", "summed-area");
-        assertTrue(models.light().rows().open());
+        assertTrue(models.of(new LightRoom()).rows().open());
         open("color", "grey", "formula");
-        assertFalse(models.light().rows().open());
+        assertFalse(models.of(new LightRoom()).rows().open());
         assertEquals(List.of("visibility", "visibility", "light", "light"), tabs);
     }
 
@@ -260,7 +266,7 @@ class LabOpeningTest {
         var choices = new TreeMap<String, Object>();
         for (Map.Entry<String, Kept<?>> lab : models.kept().entrySet())
             choices.put(lab.getKey(), lab.getValue().kept());
-        choices.put("visibility", models.visibility().state().choice().scene());
+        choices.put("visibility", models.of(new VisibilityRoom()).state().choice().scene());
         return choices;
     }
 
@@ -272,10 +278,11 @@ class LabOpeningTest {
         for (Hazard<?> hazard : topic.hazards())
             for (Method<?> method : topic.methods()) {
                 open(name, hazard.name(), method.name());
-                assertEquals(CoordinatesMode.TRANSFORMATIONS, models.coordinates().mode());
+                assertEquals(
+                        CoordinatesMode.TRANSFORMATIONS, models.of(new CoordinatesRoom()).mode());
                 assertEquals(
                         Optional.of(new Trial(name, hazard.name(), method.name())),
-                        models.coordinates().transformations().choice().trial());
+                        models.of(new CoordinatesRoom()).transformations().choice().trial());
             }
     }
 
@@ -300,11 +307,11 @@ class LabOpeningTest {
 
     @Test
     void hazardOfLinesIsShownWithItsMethod() {
-        models.line().chooseMode(LineMode.PEN);
+        models.of(new LineRoom()).chooseMode(LineMode.PEN);
         open("line", "leftward", "naive-textbook");
-        assertEquals(LineMode.SEGMENT, models.line().mode());
-        assertEquals("naive-textbook", models.line().state().choice().method());
-        Segment segment = models.line().state().choice().segment();
+        assertEquals(LineMode.SEGMENT, models.of(new LineRoom()).mode());
+        assertEquals("naive-textbook", models.of(new LineRoom()).state().choice().method());
+        Segment segment = models.of(new LineRoom()).state().choice().segment();
         assertTrue(segment.x1() < segment.x0(), segment.toString());
         assertEquals(List.of("line"), tabs);
     }
@@ -312,13 +319,13 @@ class LabOpeningTest {
     @Test
     void hazardIsShownInItsMode() {
         open("clip-polygon", "comb", "weiler-atherton");
-        assertEquals(ClipMode.POLYGON, models.clip().state().choice().scene().mode());
+        assertEquals(ClipMode.POLYGON, models.of(new ClipRoom()).state().choice().scene().mode());
         open("spline-function", spline(), "monotone");
-        assertEquals(SplineMode.FUNCTION, models.spline().mode());
+        assertEquals(SplineMode.FUNCTION, models.of(new SplineRoom()).mode());
         assertEquals(List.of("clip", "spline"), tabs);
     }
 
     private String spline() {
-        return models.spline().function().hazards().get(0).name();
+        return models.of(new SplineRoom()).function().hazards().get(0).name();
     }
 }

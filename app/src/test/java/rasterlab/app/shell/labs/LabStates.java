@@ -4,20 +4,28 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.clip.ClipLabModel;
+import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.app.coordinates.CoordinatesLabModel;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.list.Example;
 import rasterlab.app.coordinates.stack.StackProgram;
 import rasterlab.app.coordinates.view.ViewKind;
+import rasterlab.app.light.panel.LightRoom;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.trace.LineMode;
+import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.opengl.state.Group;
 import rasterlab.app.polygon.PolygonLabModel;
+import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.SplineRoom;
 import rasterlab.app.spline.curve.Sampling;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.contract.SplineEnds;
 
 /** The states of the tabs besides those they open with. */
@@ -60,37 +68,64 @@ public final class LabStates {
     public static List<Other> others() {
         var others = new ArrayList<Other>();
         for (Consumer<SplineLabModel> each : OTHER_SPLINES)
-            others.add(new Other("spline", "curve", models -> each.accept(models.spline())));
+            others.add(
+                    new Other(
+                            "spline", "curve", models -> each.accept(models.of(new SplineRoom()))));
         for (Consumer<CoordinatesLabModel> each : OTHER_COORDINATES)
-            others.add(new Other("coordinates", "", models -> each.accept(models.coordinates())));
+            others.add(
+                    new Other(
+                            "coordinates",
+                            "",
+                            models -> each.accept(models.of(new CoordinatesRoom()))));
         for (Group each : Group.values())
             others.add(
                     new Other(
                             "opengl",
                             each.name(),
-                            models -> models.opengl().touch(each.settings().get(0))));
+                            models -> models.of(new OpenGlRoom()).touch(each.settings().get(0))));
         for (ClipMode each : ClipMode.values())
-            others.add(new Other("clip", each.name(), m -> showComparison(m.clip(), each)));
+            others.add(
+                    new Other(
+                            "clip", each.name(), m -> showComparison(m.of(new ClipRoom()), each)));
         for (LineMode each : LineMode.values())
-            others.add(new Other("line", each.name(), m -> m.line().chooseMode(each)));
+            others.add(new Other("line", each.name(), m -> m.of(new LineRoom()).chooseMode(each)));
         for (PolygonMode each : PolygonMode.values())
-            others.add(new Other("polygon", each.name(), m -> showComparison(m.polygon(), each)));
+            others.add(
+                    new Other(
+                            "polygon",
+                            each.name(),
+                            m -> showComparison(m.of(new PolygonRoom()), each)));
         others.add(
                 new Other(
                         "visibility",
                         "everything",
                         models -> {
-                            models.visibility().compare("globe", "newell", "z24");
-                            models.visibility().watchSteps(true);
+                            models.of(new VisibilityRoom())
+                                    .choose(
+                                            choice ->
+                                                    choice.comparing("globe", "newell", "z24")
+                                                            .withDifference(true));
+                            models.of(new VisibilityRoom()).watchSteps(true);
                         }));
-        others.add(new Other("light", "colours", models -> models.light().showColours(true)));
+        others.add(
+                new Other(
+                        "light",
+                        "colours",
+                        models -> models.of(new LightRoom()).showColours(true)));
         others.add(
                 new Other(
                         "visibility",
                         "rows",
-                        m -> m.visibility().rows().show("depth-buffer", "drift-8192", "z16")));
+                        m ->
+                                m.of(new VisibilityRoom())
+                                        .rows()
+                                        .show("depth-buffer", "drift-8192", "z16")));
         for (String topic : List.of("texture-mapping", "texture-filter"))
-            others.add(new Other("light", topic, models -> models.light().rows().open(topic)));
+            others.add(
+                    new Other(
+                            "light",
+                            topic,
+                            models -> models.of(new LightRoom()).rows().open(topic)));
         return others;
     }
 

@@ -30,13 +30,19 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.work.ModelThread;
+import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.line.LineChoice;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.trace.LineMode;
+import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.outcome.Pipe;
+import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.shell.OffscreenPainter;
@@ -44,6 +50,8 @@ import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.CurveLabModel;
 import rasterlab.app.spline.FunctionLabModel;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.SplineRoom;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.line.Segment;
 
@@ -81,9 +89,9 @@ class LabsFileTest {
         var left = new TreeMap<String, Object>();
         settled(
                 models -> {
-                    models.visibility().open(scene);
-                    models.light().open(scene);
-                    models.opengl().open(image);
+                    models.of(new VisibilityRoom()).open(scene);
+                    models.of(new LightRoom()).open(scene);
+                    models.of(new OpenGlRoom()).open(image);
                 },
                 models -> {
                     left.putAll(choices(models));
@@ -104,7 +112,7 @@ class LabsFileTest {
     }
 
     private static String shownScene(LabModels models) {
-        return models.visibility().state().choice().scene();
+        return models.of(new VisibilityRoom()).state().choice().scene();
     }
 
     private void settled(Consumer<LabModels> before, Consumer<LabModels> after)
@@ -112,9 +120,9 @@ class LabsFileTest {
         var thread = new ModelThread();
         try (LabModels models = LabModels.first(thread, failures::add)) {
             before.accept(models);
-            thread.settle(models.visibility()::settle);
-            thread.settle(models.light()::settle);
-            thread.settle(models.opengl()::settle);
+            thread.settle(models.of(new VisibilityRoom())::settle);
+            thread.settle(models.of(new LightRoom())::settle);
+            thread.settle(models.of(new OpenGlRoom())::settle);
             after.accept(models);
         }
     }
@@ -126,22 +134,22 @@ class LabsFileTest {
                 () -> {
                     for (ClipMode mode : ClipMode.values())
                         assertEachKept(
-                                LabModels::clip,
+                                models -> models.of(new ClipRoom()),
                                 clip -> clip.hazards(mode),
                                 (clip, each) -> clip.show(mode, each.name()));
                     for (PolygonMode mode : PolygonMode.values())
                         assertEachKept(
-                                LabModels::polygon,
+                                models -> models.of(new PolygonRoom()),
                                 polygon -> polygon.hazards(mode),
                                 (polygon, each) -> polygon.show(mode, each.name()));
-                    assertEachRowKept(models -> models.visibility().rows());
-                    assertEachRowKept(models -> models.light().rows());
+                    assertEachRowKept(models -> models.of(new VisibilityRoom()).rows());
+                    assertEachRowKept(models -> models.of(new LightRoom()).rows());
                     assertEachKept(
-                            models -> models.spline().curve(),
+                            models -> models.of(new SplineRoom()).curve(),
                             CurveLabModel::hazards,
                             (curve, each) -> curve.show(each.input()));
                     assertEachKept(
-                            models -> models.spline().function(),
+                            models -> models.of(new SplineRoom()).function(),
                             FunctionLabModel::hazards,
                             (function, each) -> function.show(each.input()));
                 });
@@ -252,7 +260,10 @@ class LabsFileTest {
                     try (LabModels models = LabModels.first(failures::add)) {
                         file.read()
                                 .ifPresent(
-                                        left -> file.restore(left, Map.of("line", models.line())));
+                                        left ->
+                                                file.restore(
+                                                        left,
+                                                        Map.of("line", models.of(new LineRoom()))));
                     }
                 });
         assertTrue(file.save(Map.of("line", "new", "clip", "new"), Set.of("line", "clip")));
@@ -334,30 +345,30 @@ class LabsFileTest {
     }
 
     private static void changeAll(LabModels models) {
-        models.coordinates().show(CoordinatesMode.ROTATION);
-        models.coordinates().views().turnBy(10, 5);
-        models.coordinates().transformations().turnBy(10, 5);
-        models.coordinates().stack().clear();
-        models.coordinates().rotation().turnBy(7);
-        models.coordinates().meeting().chooseMethod("unrounded");
-        models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
-        models.line()
+        models.of(new CoordinatesRoom()).show(CoordinatesMode.ROTATION);
+        models.of(new CoordinatesRoom()).views().turnBy(10, 5);
+        models.of(new CoordinatesRoom()).transformations().turnBy(10, 5);
+        models.of(new CoordinatesRoom()).stack().clear();
+        models.of(new CoordinatesRoom()).rotation().turnBy(7);
+        models.of(new CoordinatesRoom()).meeting().chooseMethod("unrounded");
+        models.of(new PolygonRoom()).show(PolygonMode.TRIANGLE, "past-2-15");
+        models.of(new LineRoom())
                 .showTried(new Segment(-7, 3, 2_000_000_000, 4), "bresenham", Optional.empty());
-        models.line().chooseMethod("dda");
-        models.line().chooseMode(LineMode.PEN);
-        models.line().figures().move("point.1", 7, 9);
-        models.line().chooseMode(LineMode.ELLIPSE);
-        models.clip().chooseMode(ClipMode.VOLUME);
-        models.visibility().turn(0.1, 0.2);
-        models.visibility().rows().show("depth-buffer", "crossing", "z24");
-        models.light().drawNormals(true);
-        models.light().rows().show("texture-filter", "turned", "linear");
-        models.opengl().set(Setting.SCENE, "globe");
+        models.of(new LineRoom()).chooseMethod("dda");
+        models.of(new LineRoom()).chooseMode(LineMode.PEN);
+        models.of(new LineRoom()).figures().move("point.1", 7, 9);
+        models.of(new LineRoom()).chooseMode(LineMode.ELLIPSE);
+        models.of(new ClipRoom()).chooseMode(ClipMode.VOLUME);
+        models.of(new VisibilityRoom()).turn(0.1, 0.2);
+        models.of(new VisibilityRoom()).rows().show("depth-buffer", "crossing", "z24");
+        models.of(new LightRoom()).drawNormals(true);
+        models.of(new LightRoom()).rows().show("texture-filter", "turned", "linear");
+        models.of(new OpenGlRoom()).set(Setting.SCENE, "globe");
         models.study().choose("triangulate");
         models.exercises().growType(3);
-        models.spline().show(SplineMode.FUNCTION);
-        models.spline().curve().chooseForm(CurveForm.PIECES);
-        models.spline().function().chooseEnds(SplineEnds.slopes(-1.25, 3));
+        models.of(new SplineRoom()).show(SplineMode.FUNCTION);
+        models.of(new SplineRoom()).curve().chooseForm(CurveForm.PIECES);
+        models.of(new SplineRoom()).function().chooseEnds(SplineEnds.slopes(-1.25, 3));
     }
 
     /** The states of the labs, after loading or before saving. */

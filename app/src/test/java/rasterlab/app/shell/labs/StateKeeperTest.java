@@ -20,10 +20,12 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.app.shell.settings.LabSettings;
 import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.SplineRoom;
 
 @Timeout(300)
 class StateKeeperTest {
@@ -84,11 +86,11 @@ class StateKeeperTest {
 
     @Test
     void windowThatChangedOneLabLeavesTheOthersAsAnotherOneWroteThem() throws Exception {
-        live(models -> models.line().chooseMethod("dda"));
+        live(models -> models.of(new LineRoom()).chooseMethod("dda"));
         live(
                 models -> {
                     another("coordinates", CoordinatesMode.ROTATION);
-                    models.line().chooseMethod("naive");
+                    models.of(new LineRoom()).chooseMethod("naive");
                 });
         String kept = Files.readString(labs());
         assertTrue(kept.contains("ROTATION"), kept);
@@ -98,7 +100,7 @@ class StateKeeperTest {
 
     @Test
     void partThatCannotBeUsedAloneIsWrittenAnew() throws Exception {
-        live(models -> models.line().chooseMethod("dda"));
+        live(models -> models.of(new LineRoom()).chooseMethod("dda"));
         Files.writeString(
                 labs(), Files.readString(labs()).replace("\"dda\"", "\"of another time\""));
         live(models -> another("later", 7));
@@ -110,7 +112,7 @@ class StateKeeperTest {
 
     @Test
     void whatWasChangedLastIsWritten() throws Exception {
-        live(models -> models.line().chooseMethod("dda"));
+        live(models -> models.of(new LineRoom()).chooseMethod("dda"));
         assertTrue(Files.readString(labs()).contains("dda"), Files.readString(labs()));
         assertEquals(List.of(), problems);
     }
@@ -119,7 +121,7 @@ class StateKeeperTest {
     void whatCouldNotBeWrittenIsWrittenAtTheEnd() throws Exception {
         live(
                 (models, keeper) -> {
-                    models.line().chooseMethod("dda");
+                    models.of(new LineRoom()).chooseMethod("dda");
                     inTheWay(keeper::look);
                 });
         assertTrue(Files.readString(labs()).contains("dda"), Files.readString(labs()));
@@ -143,8 +145,8 @@ class StateKeeperTest {
     void labThatIsMadeLateIsWrittenWhereItWasChangedOnly() throws Exception {
         live(
                 models -> {
-                    models.line().chooseMethod("dda");
-                    models.spline().show(SplineMode.FUNCTION);
+                    models.of(new LineRoom()).chooseMethod("dda");
+                    models.of(new SplineRoom()).show(SplineMode.FUNCTION);
                 });
         OffscreenPainter.onEventThread(
                 () -> {
@@ -157,8 +159,8 @@ class StateKeeperTest {
                                     labs -> labsFile.restore(kept, labs),
                                     failure -> problems.add(failure.toString()))) {
                         var keeper = new StateKeeper(file, labsFile, () -> FIRST, models);
-                        models.line().chooseMethod("naive");
-                        models.spline();
+                        models.of(new LineRoom()).chooseMethod("naive");
+                        models.of(new SplineRoom());
                         another("spline", "written meanwhile");
                         keeper.close();
                     }

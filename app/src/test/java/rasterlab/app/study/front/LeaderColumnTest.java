@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.geom.Line2D;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -16,20 +17,21 @@ class LeaderColumnTest {
     }
 
     private static void assertNothingCrosses(List<LeaderColumn.Label> labels) {
-        var placed = new LeaderColumn(labels, 800, 40, 640);
-        List<LeaderColumn.Row> rows = placed.rows();
+        labels.sort(Comparator.comparingDouble(LeaderColumn.Label::y));
+        List<LeaderColumn.Row> rows = new LeaderColumn(labels, 800, 40, 640).rows();
         for (int i = 0; i < rows.size(); i++) {
             assertTrue(rows.get(i).y() >= 40 && rows.get(i).y() <= 640);
             for (int j = 0; j < i; j++) {
                 assertTrue(Math.abs(rows.get(i).y() - rows.get(j).y()) > 15, "rows overlap");
                 assertFalse(
-                        line(placed, rows, i).intersectsLine(line(placed, rows, j)), i + ", " + j);
+                        line(labels, rows, i).intersectsLine(line(labels, rows, j)), i + ", " + j);
             }
         }
     }
 
-    private static Line2D line(LeaderColumn placed, List<LeaderColumn.Row> rows, int i) {
-        LeaderColumn.Label from = placed.labels().get(i);
+    private static Line2D line(
+            List<LeaderColumn.Label> labels, List<LeaderColumn.Row> rows, int i) {
+        LeaderColumn.Label from = labels.get(i);
         return new Line2D.Double(from.x(), from.y(), rows.get(i).x(), rows.get(i).y());
     }
 

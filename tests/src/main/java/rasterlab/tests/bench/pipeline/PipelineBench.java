@@ -3,6 +3,8 @@ package rasterlab.tests.bench.pipeline;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
+import java.util.Optional;
+import org.lwjgl.opengl.GL11C;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
@@ -51,11 +53,12 @@ public final class PipelineBench {
     }
 
     /** Prints the machine; returns what is missing for OpenGL, empty where it is there. */
+    @SuppressWarnings("try") // the context is current while it is open
     private String tellMachine() {
         String missing = "";
         String gl;
         try (var context = OffscreenContext.open(OffscreenContext.Profile.CORE)) {
-            gl = "OpenGL: " + context.renderer();
+            gl = "OpenGL: " + drawing();
         } catch (NoOpenGl e) {
             missing =
                     words.text(
@@ -64,6 +67,13 @@ public final class PipelineBench {
         }
         out.println(words.machine() + "; " + gl);
         return missing;
+    }
+
+    /** The name of the program that draws, such as llvmpipe. */
+    private static String drawing() {
+        return Optional.ofNullable(GL11C.glGetString(GL11C.GL_RENDERER)).orElse("unnamed")
+                + ", "
+                + GL11C.glGetString(GL11C.GL_VERSION);
     }
 
     private boolean measure(int number, Job job, String missing)

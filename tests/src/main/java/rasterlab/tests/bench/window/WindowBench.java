@@ -22,7 +22,10 @@ import java.util.function.Function;
 import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
 import rasterlab.app.canvas.work.Settling;
+import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineRoom;
+import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabsFile;
@@ -30,6 +33,8 @@ import rasterlab.app.shell.settings.LabLook;
 import rasterlab.app.shell.settings.LabSettings;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.settings.SettingsFile;
+import rasterlab.app.spline.SplineRoom;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.line.Segment;
 import rasterlab.tests.bench.language.BenchWords;
 import rasterlab.tests.display.DisplayAtRest;
@@ -60,27 +65,28 @@ public final class WindowBench {
                             "turning the vase",
                             "visibility",
                             "stage",
-                            models -> models.visibility().state().picture().orElse(null)),
+                            models ->
+                                    models.of(new VisibilityRoom()).state().picture().orElse(null)),
                     new Work(
                             "dragging a segment's end",
                             "line",
                             "end.B",
-                            models -> models.line().state().drawings()),
+                            models -> models.of(new LineRoom()).state().drawings()),
                     new Work(
                             "dragging a clipped segment's end",
                             "clip",
                             "end.B1",
-                            models -> models.clip().state().results()),
+                            models -> models.of(new ClipRoom()).state().results()),
                     new Work(
                             "dragging a control point",
                             "spline",
                             "point.1",
-                            models -> models.spline().curve().state().drawings()),
+                            models -> models.of(new SplineRoom()).curve().state().drawings()),
                     new Work(
                             "turning OpenGL's scene",
                             "opengl",
                             "opengl.canvas",
-                            models -> models.opengl().state().pictures()));
+                            models -> models.of(new OpenGlRoom()).state().pictures()));
 
     private final int starts;
     private final double seconds;
@@ -158,7 +164,7 @@ public final class WindowBench {
     private LabModels models() {
         LabTheme.LIGHT.install();
         LabModels models = LabModels.first(failed -> failure.compareAndSet(null, failed));
-        models.line().show(LONG);
+        models.of(new LineRoom()).show(LONG);
         return models;
     }
 
@@ -229,7 +235,7 @@ public final class WindowBench {
     private Optional<Drag> grip(LabFrame frame, Work work) throws InterruptedException {
         onEventThread(
                 () -> {
-                    frame.showTab(work.tab());
+                    WindowContent.of(frame).show(work.tab());
                     return null;
                 });
         while (onEventThread(() -> Drag.named(frame.getContentPane(), work.tab())) == null)
