@@ -19,7 +19,7 @@ public enum Stretch {
         this.end = end;
     }
 
-    /** Where it ends, in units of dz', and the next one begins. */
+    /** The end of the stretch, in units of dz', where the next one begins. */
     public double end() {
         return end;
     }

@@ -9,7 +9,7 @@ record NumberShape(double least, double most, Range range) implements Shape<Doub
         /** Every finite number. */
         ANY,
         CLOSED,
-        /** All but the least. */
+        /** Numbers above the least, which is left out. */
         ABOVE
     }
 

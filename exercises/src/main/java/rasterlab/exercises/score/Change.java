@@ -130,7 +130,7 @@ enum Change {
         return turned;
     }
 
-    /** First all first values, then all second ones, in rows of the same lengths. */
+    /** Reads all first values, then all second ones, into rows of the same lengths. */
     private static List<List<Object>> byColumns(List<List<Object>> rows) {
         int columns = rows.isEmpty() ? 0 : rows.get(0).size();
         if (rows.stream().anyMatch(row -> row.size() != columns)) return rows;

@@ -13,7 +13,7 @@ import rasterlab.exercises.scene.Settings;
 final class SavedView {
     private SavedView() {}
 
-    /** All but the scene and a picture laid on its faces. */
+    /** The settings of the view, without the scene and a picture laid on its faces. */
     static Settings of(VisibilityChoice choice) {
         LookChoice look = choice.look();
         double rho = choice.camera().rho();
