@@ -19,22 +19,16 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.lab.NotShown;
 import rasterlab.app.canvas.method.OwnWords;
-import rasterlab.app.clip.ClipRoom;
-import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.language.Language;
-import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.line.End;
 import rasterlab.app.line.LineChoice;
-import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.trace.LineTrace;
 import rasterlab.app.mine.OwnMethods;
-import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.shell.labs.FirstCase;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
-import rasterlab.app.spline.SplineRoom;
-import rasterlab.app.visibility.VisibilityRoom;
+import rasterlab.app.shell.labs.MadeLabs;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -83,7 +77,7 @@ class OwnInLabTest {
     }
 
     private void settle() throws InterruptedException {
-        models.of(new LineRoom()).settle();
+        MadeLabs.line(models).settle();
         drain();
     }
 
@@ -92,7 +86,7 @@ class OwnInLabTest {
     }
 
     private LineTrace trace() {
-        return models.of(new LineRoom()).state().drawing().trace();
+        return MadeLabs.line(models).state().drawing().trace();
     }
 
     @Test
@@ -102,10 +96,10 @@ class OwnInLabTest {
                 "{\"from\":[1,2],\"to\":[4,2]}");
         assertEquals(
                 new LineChoice(new Segment(1, 2, 4, 2), OwnMethods.NAME, "naive"),
-                models.of(new LineRoom()).state().choice());
+                MadeLabs.line(models).state().choice());
         assertEquals(LineTrace.Ending.ENDED, trace().ending());
-        assertEquals(4, models.of(new LineRoom()).state().drawing().pixels());
-        assertEquals(4, models.of(new LineRoom()).state().drawing().x(1));
+        assertEquals(4, MadeLabs.line(models).state().drawing().pixels());
+        assertEquals(4, MadeLabs.line(models).state().drawing().x(1));
         assertEquals(List.of("line"), tabs);
         assertEquals(List.of("line line-bresenham"), told);
     }
@@ -120,18 +114,18 @@ class OwnInLabTest {
         settle();
         assertEquals(
                 new LineChoice(new Segment(1, 2, 2, 2), OwnMethods.NAME, "dda"),
-                models.of(new LineRoom()).state().choice());
-        assertEquals(1, models.of(new LineRoom()).state().drawing().difference().extra().size());
+                MadeLabs.line(models).state().choice());
+        assertEquals(1, MadeLabs.line(models).state().drawing().difference().extra().size());
         assertEquals(List.of("line"), tabs);
         opening.showCase(new FirstCase(scene, Optional.empty()));
         settle();
-        assertEquals("dda", models.of(new LineRoom()).state().choice().method());
+        assertEquals("dda", MadeLabs.line(models).state().choice().method());
     }
 
     @Test
     void aWrongPixelIsMarked() throws InterruptedException {
         show(line("out.plot(x0, y0); out.plot(9, 9);"), "{\"from\":[1,2],\"to\":[2,2]}");
-        var difference = models.of(new LineRoom()).state().drawing().difference();
+        var difference = MadeLabs.line(models).state().drawing().difference();
         assertEquals(1, difference.extra().size());
         assertEquals(1, difference.missing().size());
     }
@@ -139,9 +133,9 @@ class OwnInLabTest {
     @Test
     void aDraggedEndIsDrawnByTheProgramAgain() throws InterruptedException {
         show(line("out.plot(x1, y1);"), "{\"from\":[1,2],\"to\":[4,2]}");
-        models.of(new LineRoom()).moveEnd(End.B, 7, 5);
+        MadeLabs.line(models).moveEnd(End.B, 7, 5);
         settle();
-        assertEquals(7, models.of(new LineRoom()).state().drawing().x(1));
+        assertEquals(7, MadeLabs.line(models).state().drawing().x(1));
     }
 
     @Test
@@ -154,7 +148,7 @@ class OwnInLabTest {
         assertEquals(
                 Optional.of("Ваша программа не ответила за 2\u00a0с и была остановлена"),
                 OwnWords.refusal(OwnMethods.NAME, trace().message(), Language.RUSSIAN));
-        models.of(new LineRoom()).moveEnd(End.A, 0, 2);
+        MadeLabs.line(models).moveEnd(End.A, 0, 2);
         settle();
         assertEquals(LineTrace.Ending.ENDED, trace().ending());
     }
@@ -170,12 +164,12 @@ class OwnInLabTest {
     void anotherTextTakesTheOldOnesPlace() throws InterruptedException {
         show(line("out.plot(1, 1);"), "");
         show(line("out.plot(5, 5);"), "");
-        assertEquals(5, models.of(new LineRoom()).state().drawing().x(1));
+        assertEquals(5, MadeLabs.line(models).state().drawing().x(1));
     }
 
     @Test
     void withoutAProgramTheMethodSaysHowToGetOne() throws InterruptedException {
-        models.of(new LineRoom()).chooseMethod(OwnMethods.NAME);
+        MadeLabs.line(models).chooseMethod(OwnMethods.NAME);
         settle();
         assertEquals(LineTrace.Ending.REFUSED, trace().ending());
         assertTrue(trace().message().startsWith("there is no program of yours yet"));
@@ -191,9 +185,9 @@ class OwnInLabTest {
     @ValueSource(strings = {"seed-fill", "polygon-fill", "point-in-polygon", "triangulate"})
     void theModelSolutionIsRightInTheLabOfPolygons(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
-        models.of(new PolygonRoom()).settle();
+        MadeLabs.polygon(models).settle();
         drain();
-        var results = models.of(new PolygonRoom()).state().results();
+        var results = MadeLabs.polygon(models).state().results();
         assertEquals(OwnMethods.NAME, results.outcome().method());
         assertTrue(results.outcome().isRight(), results.outcome().message());
         assertTrue(results.other().isPresent());
@@ -203,9 +197,9 @@ class OwnInLabTest {
     @ValueSource(strings = {"clip-polygon", "clip-volume"})
     void theModelSolutionIsRightInTheLabOfClipping(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
-        models.of(new ClipRoom()).settle();
+        MadeLabs.clip(models).settle();
         drain();
-        var clipping = models.of(new ClipRoom()).state().results().clipping();
+        var clipping = MadeLabs.clip(models).state().results().clipping();
         assertEquals(OwnMethods.NAME, clipping.method());
         assertEquals("", clipping.message());
         assertEquals(0, clipping.deviation().missing() + clipping.deviation().extra());
@@ -216,9 +210,9 @@ class OwnInLabTest {
     @ValueSource(strings = {"clip-segment", "clip-polygon", "clip-volume"})
     void aClippersStepsAreWhatItSends(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
-        models.of(new ClipRoom()).settle();
+        MadeLabs.clip(models).settle();
         drain();
-        var clipping = models.of(new ClipRoom()).state().results().clipping();
+        var clipping = MadeLabs.clip(models).state().results().clipping();
         assertTrue(clipping.steps().size() >= clipping.parts().size(), clipping.message());
         assertTrue(clipping.parts().size() > 0, clipping.message());
     }
@@ -227,9 +221,9 @@ class OwnInLabTest {
     @ValueSource(strings = {"bezier-point", "hermite", "flatten-curve"})
     void theModelSolutionIsRightInTheLabOfCurves(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
-        models.of(new SplineRoom()).curve().settle();
+        MadeLabs.spline(models).curve().settle();
         drain();
-        var drawing = models.of(new SplineRoom()).curve().state().drawing();
+        var drawing = MadeLabs.spline(models).curve().state().drawing();
         assertEquals(OwnMethods.NAME, drawing.method());
         assertEquals("", drawing.message());
         assertTrue(drawing.right());
@@ -239,9 +233,9 @@ class OwnInLabTest {
     @Test
     void theModelSolutionIsRightInTheLabOfFunctions() throws InterruptedException {
         showModel(Catalogue.builtIn().named("spline-function"));
-        models.of(new SplineRoom()).function().settle();
+        MadeLabs.spline(models).function().settle();
         drain();
-        var drawing = models.of(new SplineRoom()).function().state().drawing();
+        var drawing = MadeLabs.spline(models).function().state().drawing();
         assertEquals(OwnMethods.NAME, drawing.method());
         assertEquals("", drawing.message());
         assertTrue(drawing.right());
@@ -254,8 +248,8 @@ class OwnInLabTest {
         showModel(exercise);
         RowLabModel rows =
                 tab.equals("light")
-                        ? models.of(new LightRoom()).rows()
-                        : models.of(new VisibilityRoom()).rows();
+                        ? MadeLabs.light(models).rows()
+                        : MadeLabs.visibility(models).rows();
         assertEquals(exercise.topic(), rows.choice().topic());
         assertEquals(OwnMethods.NAME, rows.choice().method());
         assertTrue(rows.open());
@@ -268,8 +262,7 @@ class OwnInLabTest {
     @ValueSource(strings = {"view", "rotate-axis"})
     void theLabOfTransformationsTriesTheProgram(String id) {
         showModel(Catalogue.builtIn().named(id));
-        var trial =
-                models.of(new CoordinatesRoom()).transformations().choice().trial().orElseThrow();
+        var trial = MadeLabs.coordinates(models).transformations().choice().trial().orElseThrow();
         assertEquals(id, trial.topic());
         assertEquals(OwnMethods.NAME, trial.method());
         assertEquals(List.of("coordinates"), tabs);
@@ -279,17 +272,15 @@ class OwnInLabTest {
     void theLabOfColoursAsksTheProgram() {
         showModel(Catalogue.builtIn().named("color"));
         assertTrue(
-                String.valueOf(models.of(new LightRoom()).kept())
-                        .contains("method=" + OwnMethods.NAME),
-                String.valueOf(models.of(new LightRoom()).kept()));
+                String.valueOf(MadeLabs.light(models).kept()).contains("method=" + OwnMethods.NAME),
+                String.valueOf(MadeLabs.light(models).kept()));
         assertEquals(List.of("light"), tabs);
     }
 
     @Test
     void theLabOfRotationsTurnsByTheProgram() {
         showModel(Catalogue.builtIn().named("cheap-rotation"));
-        assertEquals(
-                OwnMethods.NAME, models.of(new CoordinatesRoom()).rotation().choice().method());
+        assertEquals(OwnMethods.NAME, MadeLabs.coordinates(models).rotation().choice().method());
         assertEquals(List.of("coordinates"), tabs);
     }
 
@@ -302,7 +293,7 @@ class OwnInLabTest {
         settle();
         assertEquals(LineTrace.Ending.ENDED, trace().ending(), trace().message());
         assertTrue(trace().pixels().size() > 0);
-        var difference = models.of(new LineRoom()).state().drawing().difference();
+        var difference = MadeLabs.line(models).state().drawing().difference();
         assertEquals(0, difference.extra().size());
         assertEquals(0, difference.missing().size());
     }
@@ -323,25 +314,24 @@ class OwnInLabTest {
                         }
                         """);
         opening.showOwn("clip-segment", "", "");
-        models.of(new ClipRoom()).settle();
+        MadeLabs.clip(models).settle();
         drain();
         assertEquals(
                 "your program did not answer within 2.0 s and was stopped",
-                models.of(new ClipRoom()).state().results().clipping().message());
+                MadeLabs.clip(models).state().results().clipping().message());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"visible-faces", "depth-order"})
     void theLabOfHiddenSurfacesDrawsByTheProgramBesideARightMethod(String id) {
         showModel(Catalogue.builtIn().named(id));
-        var choice = models.of(new VisibilityRoom()).state().choice();
+        var choice = MadeLabs.visibility(models).state().choice();
         assertEquals(OwnMethods.NAME, choice.visibility());
         assertEquals(id.equals("depth-order") ? "painter" : "back-face", choice.comparison());
         assertTrue(choice.difference());
         assertEquals(List.of("visibility"), tabs);
-        models.of(new VisibilityRoom()).history().undo();
-        assertNotEquals(
-                OwnMethods.NAME, models.of(new VisibilityRoom()).state().choice().visibility());
+        MadeLabs.visibility(models).history().undo();
+        assertNotEquals(OwnMethods.NAME, MadeLabs.visibility(models).state().choice().visibility());
     }
 
     @ParameterizedTest
@@ -353,11 +343,11 @@ class OwnInLabTest {
     void theLabOfLightLightsByTheProgram(String id, String kept) {
         showModel(Catalogue.builtIn().named(id));
         assertTrue(
-                String.valueOf(models.of(new LightRoom()).kept()).contains(kept),
-                String.valueOf(models.of(new LightRoom()).kept()));
+                String.valueOf(MadeLabs.light(models).kept()).contains(kept),
+                String.valueOf(MadeLabs.light(models).kept()));
         assertEquals(List.of("light"), tabs);
-        models.of(new LightRoom()).history().undo();
-        assertFalse(String.valueOf(models.of(new LightRoom()).kept()).contains(kept));
+        MadeLabs.light(models).history().undo();
+        assertFalse(String.valueOf(MadeLabs.light(models).kept()).contains(kept));
     }
 
     @Test
@@ -365,8 +355,8 @@ class OwnInLabTest {
         show(line("out.plot(1, 1);"), "{\"from\":[1,2],\"to\":[4,2]}");
         opening.showToHandIn("break-line", "line", "");
         settle();
-        assertNotEquals(OwnMethods.NAME, models.of(new LineRoom()).state().choice().method());
-        assertEquals(new Segment(1, 2, 4, 2), models.of(new LineRoom()).state().choice().segment());
+        assertNotEquals(OwnMethods.NAME, MadeLabs.line(models).state().choice().method());
+        assertEquals(new Segment(1, 2, 4, 2), MadeLabs.line(models).state().choice().segment());
         assertEquals(List.of("line line-bresenham", "line none"), told);
         assertEquals(Map.of(), models.own().shown());
     }

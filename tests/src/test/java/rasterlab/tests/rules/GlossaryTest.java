@@ -24,7 +24,11 @@ class GlossaryTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("banned")
     void noTextHasIt(Glossary.Banned banned) throws IOException {
-        assertTrue(banned.phrase().in(banned.phrase().caught()), () -> "glossary.json: \"wrong\" does not find its \"caught\", " + banned.phrase().caught());
+        assertTrue(
+                banned.phrase().in(banned.phrase().caught()),
+                () ->
+                        "glossary.json: \"wrong\" does not find its \"caught\", "
+                                + banned.phrase().caught());
         var found = new ArrayList<String>();
         for (Path file : texts()) {
             if (!speaks(file, banned.language())) continue;

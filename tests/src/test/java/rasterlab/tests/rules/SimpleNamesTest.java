@@ -27,11 +27,13 @@ class SimpleNamesTest {
 
     /** A type of Java within another one, which other files see unless it is private. */
     private static final Pattern NESTED =
-            Pattern.compile("^ +((?:[a-z-]+ )*)(?:class|record|interface|enum) (\\w+)", Pattern.MULTILINE);
+            Pattern.compile(
+                    "^ +((?:[a-z-]+ )*)(?:class|record|interface|enum) (\\w+)", Pattern.MULTILINE);
 
     /** A type of Kotlin within another one. */
     private static final Pattern KOTLIN_NESTED =
-            Pattern.compile("^ +((?:[a-z]+ )*)(?:class|interface|object) (\\w+)", Pattern.MULTILINE);
+            Pattern.compile(
+                    "^ +((?:[a-z]+ )*)(?:class|interface|object) (\\w+)", Pattern.MULTILINE);
 
     /** Where a comment's words are not taken for types. */
     private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/", Pattern.DOTALL);

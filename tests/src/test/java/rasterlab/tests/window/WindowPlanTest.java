@@ -17,7 +17,9 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.light.LightFrame;
 import rasterlab.app.light.LitPlans;
 import rasterlab.app.plan.least.PlannedPicture;
+import rasterlab.app.spline.SplineRoom;
 import rasterlab.app.visibility.Picture;
+import rasterlab.app.visibility.VisibilityRoom;
 
 /** The least model that is enough, in the labs' windows under a real display. */
 class WindowPlanTest extends WindowHarness {
@@ -42,7 +44,7 @@ class WindowPlanTest extends WindowHarness {
 
     private Optional<PlannedPicture> planned() {
         return GuiActionRunner.execute(
-                () -> models.visibility().state().picture().flatMap(Picture::planned));
+                () -> models.of(new VisibilityRoom()).state().picture().flatMap(Picture::planned));
     }
 
     private void showTorus() {
@@ -137,6 +139,7 @@ class WindowPlanTest extends WindowHarness {
     }
 
     private String method() {
-        return GuiActionRunner.execute(() -> models.spline().curve().state().drawing().method());
+        return GuiActionRunner.execute(
+                () -> models.of(new SplineRoom()).curve().state().drawing().method());
     }
 }

@@ -4,28 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.clip.ClipLabModel;
-import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.app.coordinates.CoordinatesLabModel;
-import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.list.Example;
 import rasterlab.app.coordinates.stack.StackProgram;
 import rasterlab.app.coordinates.view.ViewKind;
-import rasterlab.app.light.panel.LightRoom;
-import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.trace.LineMode;
-import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.opengl.state.Group;
 import rasterlab.app.polygon.PolygonLabModel;
-import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.spline.SplineMode;
-import rasterlab.app.spline.SplineRoom;
 import rasterlab.app.spline.curve.Sampling;
-import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.contract.SplineEnds;
 
 /** The states of the tabs besides those they open with. */
@@ -66,66 +58,62 @@ public final class LabStates {
     public record Other(String tab, String name, Consumer<LabModels> change) {}
 
     public static List<Other> others() {
-        var others = new ArrayList<Other>();
-        for (Consumer<SplineLabModel> each : OTHER_SPLINES)
-            others.add(
-                    new Other(
-                            "spline", "curve", models -> each.accept(models.of(new SplineRoom()))));
-        for (Consumer<CoordinatesLabModel> each : OTHER_COORDINATES)
-            others.add(
-                    new Other(
-                            "coordinates",
-                            "",
-                            models -> each.accept(models.of(new CoordinatesRoom()))));
-        for (Group each : Group.values())
-            others.add(
-                    new Other(
-                            "opengl",
-                            each.name(),
-                            models -> models.of(new OpenGlRoom()).touch(each.settings().get(0))));
-        for (ClipMode each : ClipMode.values())
-            others.add(
-                    new Other(
-                            "clip", each.name(), m -> showComparison(m.of(new ClipRoom()), each)));
-        for (LineMode each : LineMode.values())
-            others.add(new Other("line", each.name(), m -> m.of(new LineRoom()).chooseMode(each)));
-        for (PolygonMode each : PolygonMode.values())
-            others.add(
-                    new Other(
-                            "polygon",
-                            each.name(),
-                            m -> showComparison(m.of(new PolygonRoom()), each)));
+        List<Other> others = othersByMode();
         others.add(
                 new Other(
                         "visibility",
                         "everything",
                         models -> {
-                            models.of(new VisibilityRoom())
+                            MadeLabs.visibility(models)
                                     .choose(
                                             choice ->
                                                     choice.comparing("globe", "newell", "z24")
                                                             .withDifference(true));
-                            models.of(new VisibilityRoom()).watchSteps(true);
+                            MadeLabs.visibility(models).watchSteps(true);
                         }));
         others.add(
-                new Other(
-                        "light",
-                        "colours",
-                        models -> models.of(new LightRoom()).showColours(true)));
+                new Other("light", "colours", models -> MadeLabs.light(models).showColours(true)));
         others.add(
                 new Other(
                         "visibility",
                         "rows",
                         m ->
-                                m.of(new VisibilityRoom())
+                                MadeLabs.visibility(m)
                                         .rows()
                                         .show("depth-buffer", "drift-8192", "z16")));
         for (String topic : List.of("texture-mapping", "texture-filter"))
             others.add(
+                    new Other("light", topic, models -> MadeLabs.light(models).rows().open(topic)));
+        return others;
+    }
+
+    private static List<Other> othersByMode() {
+        var others = new ArrayList<Other>();
+        for (Consumer<SplineLabModel> each : OTHER_SPLINES)
+            others.add(
+                    new Other("spline", "curve", models -> each.accept(MadeLabs.spline(models))));
+        for (Consumer<CoordinatesLabModel> each : OTHER_COORDINATES)
+            others.add(
                     new Other(
-                            "light",
-                            topic,
-                            models -> models.of(new LightRoom()).rows().open(topic)));
+                            "coordinates",
+                            "",
+                            models -> each.accept(MadeLabs.coordinates(models))));
+        for (Group each : Group.values())
+            others.add(
+                    new Other(
+                            "opengl",
+                            each.name(),
+                            models -> MadeLabs.opengl(models).touch(each.settings().get(0))));
+        for (ClipMode each : ClipMode.values())
+            others.add(new Other("clip", each.name(), m -> showComparison(MadeLabs.clip(m), each)));
+        for (LineMode each : LineMode.values())
+            others.add(new Other("line", each.name(), m -> MadeLabs.line(m).chooseMode(each)));
+        for (PolygonMode each : PolygonMode.values())
+            others.add(
+                    new Other(
+                            "polygon",
+                            each.name(),
+                            m -> showComparison(MadeLabs.polygon(m), each)));
         return others;
     }
 

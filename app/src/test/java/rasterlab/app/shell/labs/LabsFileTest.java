@@ -30,19 +30,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.work.ModelThread;
-import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.clip.scene.ClipMode;
-import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
-import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.line.LineChoice;
-import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.trace.LineMode;
-import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.outcome.Pipe;
-import rasterlab.app.polygon.PolygonRoom;
 import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.shell.OffscreenPainter;
@@ -50,8 +44,6 @@ import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.CurveLabModel;
 import rasterlab.app.spline.FunctionLabModel;
 import rasterlab.app.spline.SplineMode;
-import rasterlab.app.spline.SplineRoom;
-import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.line.Segment;
 
@@ -89,9 +81,9 @@ class LabsFileTest {
         var left = new TreeMap<String, Object>();
         settled(
                 models -> {
-                    models.of(new VisibilityRoom()).open(scene);
-                    models.of(new LightRoom()).open(scene);
-                    models.of(new OpenGlRoom()).open(image);
+                    MadeLabs.visibility(models).open(scene);
+                    MadeLabs.light(models).open(scene);
+                    MadeLabs.opengl(models).open(image);
                 },
                 models -> {
                     left.putAll(choices(models));
@@ -112,7 +104,7 @@ class LabsFileTest {
     }
 
     private static String shownScene(LabModels models) {
-        return models.of(new VisibilityRoom()).state().choice().scene();
+        return MadeLabs.visibility(models).state().choice().scene();
     }
 
     private void settled(Consumer<LabModels> before, Consumer<LabModels> after)
@@ -120,9 +112,9 @@ class LabsFileTest {
         var thread = new ModelThread();
         try (LabModels models = LabModels.first(thread, failures::add)) {
             before.accept(models);
-            thread.settle(models.of(new VisibilityRoom())::settle);
-            thread.settle(models.of(new LightRoom())::settle);
-            thread.settle(models.of(new OpenGlRoom())::settle);
+            thread.settle(MadeLabs.visibility(models)::settle);
+            thread.settle(MadeLabs.light(models)::settle);
+            thread.settle(MadeLabs.opengl(models)::settle);
             after.accept(models);
         }
     }
@@ -134,22 +126,22 @@ class LabsFileTest {
                 () -> {
                     for (ClipMode mode : ClipMode.values())
                         assertEachKept(
-                                models -> models.of(new ClipRoom()),
+                                MadeLabs::clip,
                                 clip -> clip.hazards(mode),
                                 (clip, each) -> clip.show(mode, each.name()));
                     for (PolygonMode mode : PolygonMode.values())
                         assertEachKept(
-                                models -> models.of(new PolygonRoom()),
+                                MadeLabs::polygon,
                                 polygon -> polygon.hazards(mode),
                                 (polygon, each) -> polygon.show(mode, each.name()));
-                    assertEachRowKept(models -> models.of(new VisibilityRoom()).rows());
-                    assertEachRowKept(models -> models.of(new LightRoom()).rows());
+                    assertEachRowKept(models -> MadeLabs.visibility(models).rows());
+                    assertEachRowKept(models -> MadeLabs.light(models).rows());
                     assertEachKept(
-                            models -> models.of(new SplineRoom()).curve(),
+                            models -> MadeLabs.spline(models).curve(),
                             CurveLabModel::hazards,
                             (curve, each) -> curve.show(each.input()));
                     assertEachKept(
-                            models -> models.of(new SplineRoom()).function(),
+                            models -> MadeLabs.spline(models).function(),
                             FunctionLabModel::hazards,
                             (function, each) -> function.show(each.input()));
                 });
@@ -258,12 +250,8 @@ class LabsFileTest {
         OffscreenPainter.onEventThread(
                 () -> {
                     try (LabModels models = LabModels.first(failures::add)) {
-                        file.read()
-                                .ifPresent(
-                                        left ->
-                                                file.restore(
-                                                        left,
-                                                        Map.of("line", models.of(new LineRoom()))));
+                        Map<String, Kept<?>> line = Map.of("line", MadeLabs.line(models));
+                        file.read().ifPresent(left -> file.restore(left, line));
                     }
                 });
         assertTrue(file.save(Map.of("line", "new", "clip", "new"), Set.of("line", "clip")));
@@ -345,30 +333,30 @@ class LabsFileTest {
     }
 
     private static void changeAll(LabModels models) {
-        models.of(new CoordinatesRoom()).show(CoordinatesMode.ROTATION);
-        models.of(new CoordinatesRoom()).views().turnBy(10, 5);
-        models.of(new CoordinatesRoom()).transformations().turnBy(10, 5);
-        models.of(new CoordinatesRoom()).stack().clear();
-        models.of(new CoordinatesRoom()).rotation().turnBy(7);
-        models.of(new CoordinatesRoom()).meeting().chooseMethod("unrounded");
-        models.of(new PolygonRoom()).show(PolygonMode.TRIANGLE, "past-2-15");
-        models.of(new LineRoom())
+        MadeLabs.coordinates(models).show(CoordinatesMode.ROTATION);
+        MadeLabs.coordinates(models).views().turnBy(10, 5);
+        MadeLabs.coordinates(models).transformations().turnBy(10, 5);
+        MadeLabs.coordinates(models).stack().clear();
+        MadeLabs.coordinates(models).rotation().turnBy(7);
+        MadeLabs.coordinates(models).meeting().chooseMethod("unrounded");
+        MadeLabs.polygon(models).show(PolygonMode.TRIANGLE, "past-2-15");
+        MadeLabs.line(models)
                 .showTried(new Segment(-7, 3, 2_000_000_000, 4), "bresenham", Optional.empty());
-        models.of(new LineRoom()).chooseMethod("dda");
-        models.of(new LineRoom()).chooseMode(LineMode.PEN);
-        models.of(new LineRoom()).figures().move("point.1", 7, 9);
-        models.of(new LineRoom()).chooseMode(LineMode.ELLIPSE);
-        models.of(new ClipRoom()).chooseMode(ClipMode.VOLUME);
-        models.of(new VisibilityRoom()).turn(0.1, 0.2);
-        models.of(new VisibilityRoom()).rows().show("depth-buffer", "crossing", "z24");
-        models.of(new LightRoom()).drawNormals(true);
-        models.of(new LightRoom()).rows().show("texture-filter", "turned", "linear");
-        models.of(new OpenGlRoom()).set(Setting.SCENE, "globe");
+        MadeLabs.line(models).chooseMethod("dda");
+        MadeLabs.line(models).chooseMode(LineMode.PEN);
+        MadeLabs.line(models).figures().move("point.1", 7, 9);
+        MadeLabs.line(models).chooseMode(LineMode.ELLIPSE);
+        MadeLabs.clip(models).chooseMode(ClipMode.VOLUME);
+        MadeLabs.visibility(models).turn(0.1, 0.2);
+        MadeLabs.visibility(models).rows().show("depth-buffer", "crossing", "z24");
+        MadeLabs.light(models).drawNormals(true);
+        MadeLabs.light(models).rows().show("texture-filter", "turned", "linear");
+        MadeLabs.opengl(models).set(Setting.SCENE, "globe");
         models.study().choose("triangulate");
         models.exercises().growType(3);
-        models.of(new SplineRoom()).show(SplineMode.FUNCTION);
-        models.of(new SplineRoom()).curve().chooseForm(CurveForm.PIECES);
-        models.of(new SplineRoom()).function().chooseEnds(SplineEnds.slopes(-1.25, 3));
+        MadeLabs.spline(models).show(SplineMode.FUNCTION);
+        MadeLabs.spline(models).curve().chooseForm(CurveForm.PIECES);
+        MadeLabs.spline(models).function().chooseEnds(SplineEnds.slopes(-1.25, 3));
     }
 
     /** The states of the labs, after loading or before saving. */
