@@ -17,7 +17,7 @@ public final class LabSnapshot {
      *
      * @param tab name of the tab
      * @param prepare brings the labs where they should be, such as {@code models ->
-     *     models.line().chooseMethod("naive")}; called on the event thread
+     *     models.study().choose("line")}; called on the event thread
      * @param width view units, at least 1
      * @param height view units, at least 1
      * @throws IllegalStateException when the lab reported a failure

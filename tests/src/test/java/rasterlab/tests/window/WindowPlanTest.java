@@ -16,6 +16,7 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.light.LightFrame;
 import rasterlab.app.light.LitPlans;
+import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.plan.least.PlannedPicture;
 import rasterlab.app.spline.SplineRoom;
 import rasterlab.app.visibility.Picture;
@@ -121,7 +122,7 @@ class WindowPlanTest extends WindowHarness {
 
     private Optional<LitPlans.Pair> lit() {
         return GuiActionRunner.execute(
-                () -> models.light().state().drawn().flatMap(LightFrame.Drawn::least));
+                () -> models.of(new LightRoom()).state().drawn().flatMap(LightFrame.Drawn::least));
     }
 
     @Test
