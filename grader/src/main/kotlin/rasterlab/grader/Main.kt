@@ -131,7 +131,8 @@ private fun programOf(words: CommandWords): CommandLine =
                 .addSubcommand(StaffAddCommand())
                 .addSubcommand(StaffTokenCommand())
                 .addSubcommand(StaffRevokeCommand()),
-        ).addSubcommand(HelpCommand())
+        ).addSubcommand(regradeCommands(words))
+        .addSubcommand(HelpCommand())
 
 /** An empty name would stand for the folder that the server is started in. */
 private fun named(path: String): Path =

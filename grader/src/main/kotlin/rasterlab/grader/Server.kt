@@ -40,6 +40,8 @@ import rasterlab.grader.metrics.Meters
 import rasterlab.grader.problem.refuseOtherMethods
 import rasterlab.grader.problem.showProblems
 import rasterlab.grader.problem.waitForBodies
+import rasterlab.grader.regrade.Regrades
+import rasterlab.grader.regrade.regrades
 import rasterlab.grader.report.Grades
 import rasterlab.grader.report.Results
 import rasterlab.grader.report.grades
@@ -118,6 +120,7 @@ class Server(
     private val marks = Marks(database)
     private val grades = Grades(courses, marks, exercises)
     private val clones = CourseClones(database, clock)
+    private val regrades = Regrades(database, clock)
     private val records = StudentRecords(database, clock)
     private val live = Live()
     private val submissions = Submissions(database)
@@ -142,6 +145,7 @@ class Server(
             audit,
             rules,
             clones,
+            regrades,
             roster,
             marks,
             records,
@@ -198,6 +202,7 @@ class Server(
                     exercises(exercises, sheets::starter, rules::of, submissions::standingOf)
                     exerciseRules(courses, rules, exercises.all.map { it.id() }) { exercises.named(it) }
                     clones(courses, clones)
+                    regrades(courses, exercises, regrades, queue, live)
                     studentRecords(records, exercises::ending)
                     hints(exercises, hints, courses)
                     similarity(exercises, similar)

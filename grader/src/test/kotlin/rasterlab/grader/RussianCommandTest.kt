@@ -64,6 +64,13 @@ class RussianCommandTest {
             "staff add --help",
             "staff token --help",
             "staff revoke --help",
+            "regrade --help",
+            "regrade start --help",
+            "regrade list --help",
+            "regrade show --help",
+            "regrade accept --help",
+            "regrade discard --help",
+            "regrade undo --help",
         ],
     )
     fun `help is Russian`(call: String) {
@@ -148,7 +155,7 @@ class RussianCommandTest {
         assertEquals(2, run(*call.split(" ").toTypedArray()))
         val said = printed.toString()
         assertTrue(Regex("unknown command 'nope'|неизвестная команда «nope»").containsMatchIn(said), said)
-        assertTrue(said.trim().endsWith("serve, backup, restore, token, course, staff, help"), said)
+        assertTrue(said.trim().endsWith("serve, backup, restore, token, course, staff, regrade, help"), said)
     }
 
     @ParameterizedTest(name = "the help of {0} in Russian breaks a line that was broken already")
@@ -191,7 +198,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)",
+                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)|regrade\\.(id|of.*|submission|dry)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

@@ -1,13 +1,13 @@
 package rasterlab.grader.course
 
 import io.ktor.http.ContentType
-import io.ktor.server.application.ApplicationCall
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.bodyType
+import rasterlab.grader.problem.flag
 import rasterlab.grader.problem.receiveAtMost
 import rasterlab.grader.problem.respondJson
 
@@ -65,11 +65,3 @@ fun Route.roster(
         ),
     )
 }
-
-/** Whether a switch of the address is on. */
-private fun ApplicationCall.flag(name: String): Boolean =
-    when (val told = request.queryParameters[name]) {
-        null, "false" -> false
-        "true" -> true
-        else -> throw Rejection.Malformed("$name is '$told', allowed are true, false")
-    }

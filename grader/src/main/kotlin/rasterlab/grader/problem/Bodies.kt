@@ -103,3 +103,11 @@ fun ApplicationCall.idempotencyKey(secret: Boolean = false): String? {
     }
     return key
 }
+
+/** Whether a switch of the address is on. */
+fun ApplicationCall.flag(name: String): Boolean =
+    when (val told = request.queryParameters[name]) {
+        null, "false" -> false
+        "true" -> true
+        else -> throw Rejection.Malformed("$name is '$told', allowed are true, false")
+    }

@@ -149,6 +149,22 @@ sealed class Rejection(
         vararg values: Any,
     ) : Explained("rules", fault, values, if ("deadline" in values) "bad-deadline" else "bad-rule")
 
+    /** A choice of submissions to grade again that there are none of; nothing is begun. */
+    class BadRegrade(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("regrades", fault, values, "bad-regrade")
+
+    /** A regrade is not in a state in which what was asked can be done. */
+    class RegradeStands(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("regrades", fault, values, "regrade-stands")
+
+    class UnknownRegrade(
+        id: String,
+    ) : Explained("regrades", "unknown", arrayOf(id), "unknown-regrade")
+
     /** Work came before the exercise opens. */
     class NotOpen(
         exercise: String,
@@ -300,6 +316,8 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
+        is Rejection.UnknownRegrade -> NotFound
+        is Rejection.RegradeStands -> Conflict
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity

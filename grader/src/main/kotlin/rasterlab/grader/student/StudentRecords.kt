@@ -252,9 +252,10 @@ class StudentRecords(
 
         /** Deletes what refers to something before that. */
         val DELETIONS =
-            listOf("case_pictures", "case_results", "diagnostics", "speed_methods").map {
-                "DELETE FROM $it WHERE result_id IN ($RUNS)"
-            } +
+            listOf("DELETE FROM regrade_items WHERE submission_id IN ($THEIRS)") +
+                listOf("case_pictures", "case_results", "diagnostics", "speed_methods").map {
+                    "DELETE FROM $it WHERE result_id IN ($RUNS)"
+                } +
                 listOf("results", "comments").map { "DELETE FROM $it WHERE submission_id IN ($THEIRS)" } +
                 "DELETE FROM idempotency_keys WHERE $MADE" +
                 listOf("submissions", "hints", "extensions", "roster_fields").map {

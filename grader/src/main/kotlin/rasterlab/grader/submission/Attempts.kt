@@ -39,24 +39,35 @@ class Attempts(
     private val stopping: () -> Boolean,
 ) {
     private val log = LoggerFactory.getLogger(javaClass)
-    private val held = ConcurrentHashMap.newKeySet<Lease>()
+    private val held = ConcurrentHashMap<Lease, LeaseKeeper>()
 
     /**
-     * Grades the submission whose turn it is, if one waits. A mistake of ours is tried again; the last
+     * Grades the submission whose turn it is, if one waits, and else one that is to be graded again. A mistake of ours is tried again; the last
      * one stands as an `internal` result that a person has to look at.
      *
      * @throws InterruptedException when the server stops; the submission is back in the queue then
      */
     fun attemptNext(): AttemptOutcome {
         if (!database.hasRoom()) return AttemptOutcome.TRY_AGAIN
-        val lease = leases.claimNext() ?: return measureNext()
+        leases.claimNext()?.let { lease ->
+            claimed(lease.submission)
+            return attempt(lease, leases) { live.judged(lease.submission.id, it) }
+        }
+        leases.regrades.claimNext()?.let { return attempt(it, leases.regrades) {} }
+        return measureNext()
+    }
+
+    private fun attempt(
+        lease: Lease,
+        keeper: LeaseKeeper,
+        progress: Consumer<CaseReport>,
+    ): AttemptOutcome {
         live.announce()
-        claimed(lease.submission)
-        held += lease
+        held[lease] = keeper
         try {
-            return settle(lease, lease.submission)
+            return settle(lease, keeper, progress)
         } catch (failure: Exception) {
-            leases.giveUp(lease, counts = failure !is InterruptedException && !stopping())
+            keeper.giveUp(lease, counts = failure !is InterruptedException && !stopping())
             throw failure
         } finally {
             held -= lease
@@ -67,7 +78,7 @@ class Attempts(
     /** Measures a speed again, if one is due. What else the same source is given now changes nothing. */
     private fun measureNext(): AttemptOutcome {
         val lease = leases.measurements.claimNext() ?: return AttemptOutcome.SETTLED
-        held += lease
+        held[lease] = leases
         try {
             val submission = lease.submission
             val exercise = exercises.at(submission.exercise, submission.revision)
@@ -85,12 +96,14 @@ class Attempts(
     }
 
     /** Keeps the leases of the attempts that run here. */
-    fun renew() = held.forEach(leases::renew)
+    fun renew() = held.forEach { (lease, keeper) -> keeper.renew(lease) }
 
     private fun settle(
         lease: Lease,
-        submission: Submission,
+        keeper: LeaseKeeper,
+        progress: Consumer<CaseReport>,
     ): AttemptOutcome {
+        val submission = lease.submission
         val exercise = exercises.at(submission.exercise, submission.revision)
         val report =
             when {
@@ -109,14 +122,14 @@ class Attempts(
                 }
 
                 else -> {
-                    grade(exercise, submission) { live.judged(submission.id, it) }
+                    grade(exercise, submission, progress)
                 }
             }
         if (report.verdict() == GradingVerdict.INTERNAL && (submission.tries < TRIES || stopping())) {
-            stored { leases.giveUp(lease, counts = !stopping()) }
+            stored { keeper.giveUp(lease, counts = !stopping()) }
             return AttemptOutcome.TRY_AGAIN
         }
-        val written = stored { leases.finish(lease, exercise?.revision() ?: submission.revision, report) }
+        val written = stored { keeper.finish(lease, exercise?.revision() ?: submission.revision, report) }
         if (written) {
             log.info("submission {} graded {} on try {}", submission.id, report.verdict().code(), submission.tries)
         } else {

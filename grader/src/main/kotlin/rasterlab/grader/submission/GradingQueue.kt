@@ -68,23 +68,28 @@ class GradingQueue(
         sweeper.scheduleWithFixedDelay(::keepAndSweep, 0, SWEEP.toMillis(), TimeUnit.MILLISECONDS)
     }
 
-    /** There is something to grade, and it is stored already: a ring that fails is made up for by the sweep. */
-    fun ring(submission: String) {
+    /**
+     * There is something to grade, and it is stored already: a ring that fails is made up for by the sweep.
+     *
+     * @param id of the submission, or of the regrade that begins
+     */
+    fun ring(id: String) {
         try {
-            scheduler.scheduleIfNotExists(task.instance(submission), clock.instant())
+            scheduler.scheduleIfNotExists(task.instance(id), clock.instant())
         } catch (failure: SQLRuntimeException) {
-            log.warn("submission {} waits for the sweep", submission, failure)
+            log.warn("{} waits for the sweep", id, failure)
         }
         live.announce()
     }
 
     /**
      * Puts back what nobody grades any more, and rings as often as rings are missing for what waits: for all
-     * submissions, or else for one speed that is to be measured again.
+     * submissions and some of those that are graded again, or else for one speed that is to be measured again.
      */
     fun sweep() {
         leases.releaseExpired()
-        val wanted = if (leases.measurements.isDue()) 1 else submissions.waiting()
+        val again = minOf(leases.regrades.waiting(), AGAIN)
+        val wanted = if (leases.measurements.isDue()) 1 else submissions.waiting() + again
         repeat(wanted - rings()) {
             scheduler.scheduleIfNotExists(task.instance(Secrets.newId()), clock.instant())
         }
@@ -164,6 +169,9 @@ class GradingQueue(
 
     private companion object {
         val SWEEP: Duration = Duration.ofSeconds(2)
+
+        /** The rings for what is graded again, by sweep: fewer are written than a whole course has submissions. */
+        const val AGAIN = 100
 
         /** The smallest jump of the clock that counts, above what it is moved when kept right by and by. */
         val STEP: Duration = Duration.ofSeconds(2)

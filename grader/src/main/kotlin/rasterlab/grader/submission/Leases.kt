@@ -16,6 +16,28 @@ data class Lease(
     val token: String,
 )
 
+/** Keeps the leases of one kind of work. */
+interface LeaseKeeper {
+    fun renew(lease: Lease)
+
+    /**
+     * Gives an attempt up, so that it is made again after a pause.
+     *
+     * @param counts whether it counts among the tries: not if only the server stops
+     */
+    fun giveUp(
+        lease: Lease,
+        counts: Boolean,
+    )
+
+    /** Writes the result and ends the lease, together or not at all; false if the lease is lost. */
+    fun finish(
+        lease: Lease,
+        revision: String,
+        report: Report,
+    ): Boolean
+}
+
 /**
  * Who grades what. A submission has at most one lease; a worker whose lease ran out and was given to
  * another can write nothing any more.
@@ -27,9 +49,12 @@ class Leases(
     private val reports: Reports,
     private val clock: InstantSource,
     private val steady: InstantSource,
-) {
+) : LeaseKeeper {
     /** A submission that is measured again when nothing waits; that, too, is done under a lease. */
     val measurements = Measurements(database, reports, steady)
+
+    /** Submissions that are graded again when no new one waits. */
+    val regrades = RegradeLeases(database, reports, clock, steady)
 
     /** Begins an attempt at the submission whose turn it is, or null if none waits. */
     fun claimNext(): Lease? {
@@ -58,7 +83,7 @@ class Leases(
             .findOne()
             .getOrNull()
 
-    fun renew(lease: Lease) {
+    override fun renew(lease: Lease) {
         database.write {
             it
                 .createUpdate("UPDATE submissions SET lease_until = :until WHERE id = :id AND lease = :lease")
@@ -69,12 +94,7 @@ class Leases(
         }
     }
 
-    /**
-     * Gives an attempt up, so that it is made again after [PAUSE].
-     *
-     * @param counts whether it counts among the tries: not if only the server stops
-     */
-    fun giveUp(
+    override fun giveUp(
         lease: Lease,
         counts: Boolean,
     ) {
@@ -91,13 +111,12 @@ class Leases(
         }
     }
 
-    /** Writes the result and ends the lease, together or not at all; false if the lease is lost. */
-    fun finish(
+    override fun finish(
         lease: Lease,
         revision: String,
         report: Report,
     ): Boolean {
-        report.cases().flatMap { it.pictures() }.forEach { it.russian() } // drawn before others wait for the database
+        report.drawAll()
         return database.write { handle ->
             val ended =
                 handle
@@ -117,6 +136,7 @@ class Leases(
 
     /** Puts back into the queue what nobody grades any more. */
     fun releaseExpired() {
+        regrades.releaseExpired()
         database.write {
             for (release in listOf("$RELEASE WHERE state = 'running'", "$MEASURED WHERE state = 'done'")) {
                 it
@@ -129,6 +149,7 @@ class Leases(
 
     /** Puts everything back: for a server that starts and is alone on its database. */
     fun releaseAll() {
+        regrades.releaseAll()
         database.write {
             it.execute("$RELEASE WHERE state <> 'done'")
             it.execute("$MEASURED, speed_due = NULL WHERE speeds_left > 0")
@@ -150,3 +171,6 @@ class Leases(
         private const val RELEASE = "UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL"
     }
 }
+
+/** Draws its pictures before others wait for the database. */
+internal fun Report.drawAll() = cases().flatMap { it.pictures() }.forEach { it.russian() }

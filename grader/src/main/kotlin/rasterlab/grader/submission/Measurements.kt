@@ -53,9 +53,20 @@ class Measurements(
                 .bind("until", after(Leases.LENGTH))
                 .bind("due", after(PAUSE))
                 .execute()
-            Submissions.find(handle, id)?.let { Lease(it, token) }
+            Submissions.find(handle, id)?.let { Lease(it.copy(revision = current(handle, id)), token) }
         }
     }
+
+    /** The revision of the exercise that the result was graded against, which a regrade may have changed. */
+    private fun current(
+        handle: Handle,
+        submission: String,
+    ): String =
+        handle
+            .createQuery("SELECT revision FROM results WHERE submission_id = :id AND is_current = 1")
+            .bind("id", submission)
+            .mapTo(String::class.java)
+            .one()
 
     private fun next(handle: Handle): String? =
         handle
@@ -63,6 +74,7 @@ class Measurements(
                 """SELECT id FROM submissions
                    WHERE speeds_left > 0 AND state = 'done' AND coalesce(speed_due, '') <= :now
                        AND NOT EXISTS (SELECT 1 FROM submissions WHERE state IN ('queued', 'running') OR lease IS NOT NULL)
+                       AND NOT EXISTS (SELECT 1 FROM regrade_items WHERE state <> 'done')
                    ORDER BY speed_due, sequence LIMIT 1""",
             ).bind("now", after(Duration.ZERO))
             .mapTo(String::class.java)

@@ -66,28 +66,37 @@ class Reports(
                 .getOrNull()
         }
 
-    /** Writes a report as the current one, in the transaction of [handle]. */
+    /**
+     * Writes a report in the transaction of [handle].
+     *
+     * @param current whether it is the one that counts from now on
+     * @return the id of the result
+     */
     fun insert(
         handle: Handle,
         submission: String,
         revision: String,
         report: Report,
         gradedAt: Instant,
-    ) {
+        current: Boolean = true,
+    ): String {
         val result = Secrets.newId()
-        handle
-            .createUpdate("UPDATE results SET is_current = 0 WHERE submission_id = :submission AND is_current = 1")
-            .bind("submission", submission)
-            .execute()
+        if (current) {
+            handle
+                .createUpdate("UPDATE results SET is_current = 0 WHERE submission_id = :submission AND is_current = 1")
+                .bind("submission", submission)
+                .execute()
+        }
         handle
             .createUpdate(
                 """INSERT INTO results (id, submission_id, run, is_current, revision, verdict, accuracy, stability, speed,
                        points_of, isolation, nanos_per_item, graded_at)
-                   SELECT :id, :submission, coalesce(max(run), 0) + 1, 1, :revision, :verdict, :accuracy, :stability, :speed,
+                   SELECT :id, :submission, coalesce(max(run), 0) + 1, :current, :revision, :verdict, :accuracy, :stability, :speed,
                        :of, :isolation, :nanos, :now
                    FROM results WHERE submission_id = :submission""",
             ).bind("id", result)
             .bind("submission", submission)
+            .bind("current", if (current) 1 else 0)
             .bind("revision", revision)
             .bind("verdict", report.verdict().code())
             .bind("accuracy", report.points().accuracy())
@@ -105,6 +114,7 @@ class Reports(
         for ((position, diagnostic) in report.diagnostics().withIndex()) {
             insert(handle, result, position, diagnostic)
         }
+        return result
     }
 
     /** Puts the speed of [report] in the place of that of the current one, in the transaction of [handle]. */

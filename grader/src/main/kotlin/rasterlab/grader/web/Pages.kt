@@ -16,6 +16,7 @@ import rasterlab.grader.course.RosterImport
 import rasterlab.grader.course.Staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.hint.Hints
+import rasterlab.grader.regrade.Regrades
 import rasterlab.grader.report.Results
 import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseRules
@@ -45,6 +46,7 @@ fun Route.pages(
     similarPages(accounts, exercises, similar)
     instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
     rulesPages(accounts, courses, exercises, rules)
+    regradePages(accounts, courses, exercises, regrades, queue, live)
     rosterPages(accounts, courses, roster, submissions, marks)
     studentPages(accounts, exercises, submissions, records)
     clonePages(accounts, courses, clones)
@@ -60,6 +62,7 @@ class PageParts(
     val audit: Audit,
     val rules: CourseRules,
     val clones: CourseClones,
+    val regrades: Regrades,
     val roster: RosterImport,
     val marks: Marks,
     val records: StudentRecords,

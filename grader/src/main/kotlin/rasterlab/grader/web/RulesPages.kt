@@ -67,7 +67,7 @@ fun Route.rulesPages(
     }
 }
 
-private fun ApplicationCall.exerciseOf(exercises: Exercises) = exercises.named(parameters.getOrFail("id"))
+internal fun ApplicationCall.exerciseOf(exercises: Exercises) = exercises.named(parameters.getOrFail("id"))
 
 /** The course that the address names. */
 internal fun ApplicationCall.courseOf(courses: Courses): Course {
@@ -156,7 +156,10 @@ internal class RulesDesk(
         val heading = "${exercise.title(texts.language)} — ${course.name}"
         call.respondPage(texts, who, heading, refused?.status ?: HttpStatusCode.OK) {
             refused?.let { problem(texts, it.status, it.code, it.details) }
-            p { a("/instructor/courses/${course.id}/exercises") { +texts.say("rules.back") } }
+            p("ways") {
+                a("/instructor/courses/${course.id}/exercises") { +texts.say("rules.back") }
+                a("$address/regrade") { +texts.say("regrade.heading") }
+            }
             rulesForm(texts, address, held, typed)
             extensionForms(texts, address, courses.students(course.id).orEmpty(), extensions, held, typed)
         }

@@ -171,6 +171,7 @@ class RoleRoutesTest {
                 "student" to id,
                 "staff" to assistants[1].id,
                 "token" to others[1],
+                "regrade" to "none",
                 "case" to "open-case",
                 "picture" to "actual.png",
                 "name" to "dot.svg",

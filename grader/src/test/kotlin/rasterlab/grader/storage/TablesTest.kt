@@ -62,6 +62,31 @@ class TablesTest {
             }
         }
 
+    @Test
+    @DisplayName("a course of version 13 is lost in one of the databases, or its results cannot be graded again")
+    fun gradesAgainWhatWasThereBefore() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("11")
+                fill(source, 11)
+                Tables(source).migrate("13")
+                Tables(source).migrate()
+                assertWhole(source, 11)
+                source.execute(
+                    """INSERT INTO regrades (id, course_id, exercise, revision, choice, is_dry, state, account_id, begun_at)
+                       VALUES ('g', 'c', 'draw-dot', 'r1', 'all', 1, 'grading', 'i', '$THEN')""",
+                )
+                source.execute(
+                    """INSERT INTO regrade_items (regrade_id, submission_id, position, state, result_id)
+                       SELECT 'g', submission_id, run, 'done', id FROM results WHERE is_current = 1""",
+                )
+                source.assertRows(
+                    "choice, r.run FROM regrades JOIN regrade_items ON regrade_id = 'g' JOIN results r ON r.id = result_id",
+                    "all 2",
+                )
+            }
+        }
+
     private fun sqlite(): DataSource =
         SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
             .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }

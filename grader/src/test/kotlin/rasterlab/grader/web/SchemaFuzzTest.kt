@@ -86,7 +86,15 @@ class SchemaFuzzTest {
         val all = mapper.readTree(look(instructor, "/api/v1/courses/$course/students").bodyAsText())
         val id = submit(student).json().text("id")
         eventsToTheEnd(student, id)
+        val begun =
+            client.post("/api/v1/courses/$course/exercises/draw-dot/regrade?dry=true") {
+                bearer(instructor)
+                json("{}")
+            }
+        val regrade = begun.json().text("regrade")
+        look(instructor, "/api/v1/regrades/$regrade/events").bodyAsText()
         return mapOf(
+            "regrade" to listOf(regrade),
             "course" to listOf(course),
             "id" to listOf("draw-dot", id),
             "student" to listOf(all.last().path("student").asText()),
@@ -238,7 +246,7 @@ class SchemaFuzzTest {
     }
 
     private companion object {
-        const val TIMES = 60
+        const val TIMES = 45
 
         val ODD =
             listOf(
