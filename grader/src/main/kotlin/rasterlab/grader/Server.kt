@@ -20,6 +20,8 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import rasterlab.exercises.Grading
 import rasterlab.exercises.runner.Isolation
+import rasterlab.grader.adjustment.Adjustments
+import rasterlab.grader.adjustment.adjustments
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
@@ -126,7 +128,8 @@ class Server(
     private val submissions = Submissions(database)
     private val similar = Similar(database)
     private val reports = Reports(database)
-    private val results = Results(submissions, reports, live, exercises, rules, clock)
+    private val adjustments = Adjustments(database, clock)
+    private val results = Results(submissions, reports, live, exercises, rules, adjustments, clock)
     private val intake = Intake(database, settings.intake, clock)
     private val choices = Choices(database)
     private val sheets = Sheets(database)
@@ -157,6 +160,7 @@ class Server(
             choices,
             queue,
             results,
+            adjustments,
             similar,
             live,
             isolation,
@@ -207,6 +211,7 @@ class Server(
                     hints(exercises, hints, courses)
                     similarity(exercises, similar)
                     submissions(exercises, intake, queue, choices)
+                    adjustments(submissions, adjustments)
                     results(results, live)
                 }
             }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.StreamSupport;
 import rasterlab.engine.study.measuring.MedianInterval;
+import rasterlab.exercises.published.ManualPoints;
 import rasterlab.exercises.published.PublishedCase;
 import rasterlab.exercises.published.PublishedDiagnostic;
 import rasterlab.exercises.published.PublishedPicture;
@@ -79,8 +80,15 @@ public final class ServerReport {
                 number(points, "stability"),
                 number(points, "speed"),
                 number(points, "hints"),
+                manual(points.path("manual")),
                 Math.max(0, number(points, "total")),
                 number(points, "of"));
+    }
+
+    private static List<ManualPoints> manual(JsonNode all) {
+        return StreamSupport.stream(all.spliterator(), false)
+                .map(one -> new ManualPoints(number(one, "points"), text(one, "reason")))
+                .toList();
     }
 
     /** A judged case of it, or of the events before there is a result. */

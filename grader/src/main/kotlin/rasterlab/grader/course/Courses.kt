@@ -102,6 +102,13 @@ class Courses(
             course(handle, "id", idOrCode) ?: course(handle, "code", idOrCode.trim().uppercase(Locale.ROOT))
         }
 
+    /** The course of a student, or null where there is no such student. */
+    fun ofStudent(student: String): Course? =
+        database.read { handle ->
+            val query = select(handle, "WHERE id = (SELECT course_id FROM students WHERE id = :student)")
+            rows(query.bind("student", student)).findOne().getOrNull()
+        }
+
     /** Reads what rosters said of each student of a course, by the student's id. */
     fun rosterFields(course: String): Map<String, Map<String, String>> = database.read { rosterFields(it, course) }
 

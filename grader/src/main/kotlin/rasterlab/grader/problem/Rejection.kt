@@ -161,6 +161,16 @@ sealed class Rejection(
         vararg values: Any,
     ) : Explained("regrades", fault, values, "regrade-stands")
 
+    /** Points that cannot be given or taken so; nothing is changed. */
+    class BadAdjustment(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("adjustments", fault, values, "bad-adjustment")
+
+    class UnknownAdjustment(
+        id: String,
+    ) : Explained("adjustments", "unknown", arrayOf(id), "unknown-adjustment")
+
     class UnknownRegrade(
         id: String,
     ) : Explained("regrades", "unknown", arrayOf(id), "unknown-regrade")
@@ -316,7 +326,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
-        is Rejection.UnknownRegrade -> NotFound
+        is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment -> NotFound
         is Rejection.RegradeStands -> Conflict
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity

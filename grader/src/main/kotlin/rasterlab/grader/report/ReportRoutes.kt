@@ -15,6 +15,7 @@ import rasterlab.exercises.published.PublishedSpeed
 import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.topic.CaseRules
+import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.exercise.Exercises
@@ -40,6 +41,7 @@ class Results(
     private val live: Live,
     private val exercises: Exercises,
     private val rules: CourseRules,
+    private val adjustments: Adjustments,
     private val clock: InstantSource,
 ) {
     private val reasons = Reasons()
@@ -67,7 +69,8 @@ class Results(
                 },
                 rule = { case -> exercise?.let { CaseRules.of(it, case.name()).getOrNull() } },
             )
-        return submission.view(who, submissions.position(id), live.casesOf(id), recorded, against, due, words) {
+        val manual = adjustments.counting(id)
+        return submission.view(who, submissions.position(id), live.casesOf(id), recorded, against, due, words, manual) {
             exercise?.let { known -> PublishedSpeed.of(known.topic(), it) }
         }
     }

@@ -12,6 +12,7 @@ import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
+import rasterlab.exercises.published.ManualPoints
 import rasterlab.exercises.published.PublishedCase
 import rasterlab.exercises.published.PublishedDiagnostic
 import rasterlab.exercises.published.PublishedPart
@@ -150,6 +151,7 @@ fun CaseReport.seenBy(
 /**
  * @param recorded with nothing hidden; null as long as there is no result
  * @param against what the result was, or will be, graded against
+ * @param manual what staff gave or took beside the points of grading
  * @param speed puts figures on the topic's chart; null where the topic is not known any more
  */
 fun Submission.view(
@@ -160,6 +162,7 @@ fun Submission.view(
     against: GradedAgainst,
     due: Due,
     words: CaseWords,
+    manual: List<ManualPoints>,
     speed: (SpeedFigures) -> PublishedSpeed?,
 ): SubmissionView {
     // Row and result are read one after the other, so a result may be there that the row does not know of yet.
@@ -174,7 +177,7 @@ fun Submission.view(
         (if (report == null) state else State.DONE).code,
         if (report == null) position else 0,
         report?.verdict()?.code(),
-        report?.points()?.let { PublishedPoints.of(it, hintCost) },
+        report?.points()?.let { PublishedPoints.of(it, hintCost, manual) },
         cases.map { it.view(id, words) },
         report?.diagnostics().orEmpty().map { PublishedDiagnostic.of(it, words.language) },
         report?.isolation(),

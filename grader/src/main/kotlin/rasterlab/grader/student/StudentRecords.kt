@@ -24,6 +24,15 @@ data class KeptResult(
     val gradedAt: String,
 )
 
+/** Points that staff gave or took; those that were taken back too. */
+@Serializable
+data class KeptPoints(
+    val points: Int,
+    val reason: String,
+    val givenAt: String,
+    val revokedAt: String?,
+)
+
 @Serializable
 data class KeptSubmission(
     val id: String,
@@ -36,6 +45,7 @@ data class KeptSubmission(
     val chosen: Boolean,
     val source: String,
     val results: List<KeptResult>,
+    val points: List<KeptPoints>,
 )
 
 @Serializable
@@ -144,6 +154,13 @@ class StudentRecords(
                     student,
                 ) { it.getString("submission_id") to result(it) }
                 .groupBy({ it.first }, { it.second })
+        val points =
+            handle
+                .rows(
+                    "SELECT a.* FROM adjustments a JOIN submissions s ON s.id = a.submission_id $OWN ORDER BY given_at",
+                    student,
+                ) { it.getString("submission_id") to points(it) }
+                .groupBy({ it.first }, { it.second })
         return handle
             .rows(
                 """SELECT students.*, courses.name AS course_name FROM students JOIN courses ON courses.id = course_id
@@ -169,7 +186,7 @@ class StudentRecords(
                 roster = handle.of("roster_fields", "kind", student, ::field).toMap(),
                 extensions = handle.of("extensions", "exercise", student, ::extension),
                 hints = handle.of("hints", "taken_at", student, ::hint),
-                submissions = handle.of("submissions", "sequence", student) { submission(it, results) },
+                submissions = handle.of("submissions", "sequence", student) { submission(it, results, points) },
                 comments =
                     handle.rows(
                         "SELECT c.* FROM comments c JOIN submissions s ON s.id = c.submission_id $OWN ORDER BY written_at",
@@ -229,6 +246,7 @@ class StudentRecords(
     private fun submission(
         row: ResultSet,
         results: Map<String, List<KeptResult>>,
+        points: Map<String, List<KeptPoints>>,
     ) = KeptSubmission(
         row.getString("id"),
         row.getString("exercise"),
@@ -240,7 +258,16 @@ class StudentRecords(
         row.getInt("is_chosen") == 1,
         row.getString("source"),
         results[row.getString("id")].orEmpty(),
+        points[row.getString("id")].orEmpty(),
     )
+
+    private fun points(row: ResultSet) =
+        KeptPoints(
+            row.getInt("points"),
+            row.getString("reason"),
+            row.getString("given_at"),
+            row.getString("revoked_at"),
+        )
 
     private companion object {
         const val OWN = "WHERE s.student_id = :student"
@@ -256,7 +283,11 @@ class StudentRecords(
                 listOf("case_pictures", "case_results", "diagnostics", "speed_methods").map {
                     "DELETE FROM $it WHERE result_id IN ($RUNS)"
                 } +
-                listOf("results", "comments").map { "DELETE FROM $it WHERE submission_id IN ($THEIRS)" } +
+                listOf(
+                    "results",
+                    "comments",
+                    "adjustments",
+                ).map { "DELETE FROM $it WHERE submission_id IN ($THEIRS)" } +
                 "DELETE FROM idempotency_keys WHERE $MADE" +
                 listOf("submissions", "hints", "extensions", "roster_fields").map {
                     "DELETE FROM $it WHERE student_id = :student"

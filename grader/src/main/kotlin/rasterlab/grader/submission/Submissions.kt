@@ -16,6 +16,7 @@ import kotlin.jvm.optionals.getOrNull
  * @param revision of the exercise that it was or will be graded against
  * @param late whether it was handed in after the deadline, that of now and the one that held then
  * @param chosen whether the student said that it counts
+ * @param given points that staff gave beside those of grading, negative where they took them
  */
 data class Listed(
     val submission: Submission,
@@ -26,6 +27,7 @@ data class Listed(
     val revision: String,
     val late: Boolean,
     val chosen: Boolean,
+    val given: Int,
 )
 
 /** Reads submissions. */
@@ -132,6 +134,7 @@ class Submissions(
                 """SELECT s.id, s.student_id, s.exercise, s.revision, s.attempt, '' AS source, s.seed, s.received_at,
                           s.state, s.tries, s.hint_cost, s.is_chosen, s.due_at, students.shown_name AS student_name, r.verdict,
                           r.revision AS graded_against, $NET AS total, r.points_of,
+                          $GIVEN AS given,
                           CASE WHEN s.received_at > ${ExerciseRules.DUE} AND s.received_at > s.due_at
                               THEN 1 ELSE 0 END AS late
                    FROM submissions s
@@ -154,6 +157,7 @@ class Submissions(
                     if (graded) row.getString("graded_against") else row.getString("revision"),
                     row.getInt("late") == 1,
                     row.getInt("is_chosen") == 1,
+                    row.getInt("given"),
                 )
             }.list()
     }
@@ -161,10 +165,16 @@ class Submissions(
     companion object {
         private const val LISTED = 100
 
-        /** The points of a result that are left when its submission paid for hints. */
+        /** The points that staff gave a submission, less those that they took. */
+        internal const val GIVEN =
+            """coalesce((SELECT sum(a.points) FROM adjustments a
+               WHERE a.submission_id = s.id AND a.revoked_at IS NULL), 0)"""
+
+        /** The points of a result that are left when its submission paid for hints, and what staff gave or took. */
         internal const val NET =
-            """CASE WHEN r.accuracy + r.stability + r.speed > s.hint_cost
-               THEN r.accuracy + r.stability + r.speed - s.hint_cost WHEN r.id IS NOT NULL THEN 0 END"""
+            """(SELECT CASE WHEN graded + given > 0 THEN graded + given WHEN graded IS NOT NULL THEN 0 END
+               FROM (SELECT $GIVEN AS given, CASE WHEN r.accuracy + r.stability + r.speed > s.hint_cost
+                   THEN r.accuracy + r.stability + r.speed - s.hint_cost WHEN r.id IS NOT NULL THEN 0 END AS graded) AS net)"""
 
         internal fun find(
             handle: Handle,

@@ -9,6 +9,7 @@ import io.ktor.server.plugins.ratelimit.RateLimitName
 import io.ktor.server.plugins.ratelimit.rateLimit
 import io.ktor.server.routing.Route
 import rasterlab.exercises.runner.Isolation
+import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
@@ -42,7 +43,9 @@ fun Route.pages(
     exercisePages(accounts, rules, exercises, sheets, hints, submissions, intake, queue, clock)
     choicePages(accounts, choices)
     hintPages(accounts, exercises, hints)
-    resultPages(accounts, exercises, submissions, results)
+    val resultPage = ResultPage(exercises, submissions, results, adjustments)
+    resultPages(accounts, exercises, submissions, results, resultPage)
+    markingPages(accounts, courses, exercises, submissions, adjustments, regrades, resultPage)
     similarPages(accounts, exercises, similar)
     instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
     rulesPages(accounts, courses, exercises, rules)
@@ -74,6 +77,7 @@ class PageParts(
     val choices: Choices,
     val queue: GradingQueue,
     val results: Results,
+    val adjustments: Adjustments,
     val similar: Similar,
     val live: Live,
     val isolation: Isolation,

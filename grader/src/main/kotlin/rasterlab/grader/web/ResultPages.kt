@@ -1,6 +1,8 @@
 package rasterlab.grader.web
 
 import io.ktor.http.ContentType
+import io.ktor.http.HttpStatusCode
+import io.ktor.http.Parameters
 import io.ktor.http.withCharset
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.respondText
@@ -15,6 +17,7 @@ import kotlinx.html.stream.createHTML
 import kotlinx.html.summary
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.score.Disclosure
+import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
@@ -31,14 +34,9 @@ fun Route.resultPages(
     exercises: Exercises,
     submissions: Submissions,
     results: Results,
+    page: ResultPage,
 ) {
-    get("/submissions/{id}") {
-        val who = call.someone(accounts)
-        val submission = submissions.seenBy(who, call.submissionId())
-        val title = exercises.find(submission.exercise)?.title(call.texts().language) ?: submission.exercise
-        val student = submissions.listed(submission.id)?.student.takeIf { who is Identity.Staff }
-        call.respondResult(who, submission, listOfNotNull(student, title).joinToString(" — "), results, exercises)
-    }
+    get("/submissions/{id}") { page.show(call, call.someone(accounts)) }
     get("/submissions/{id}/fragment") {
         val who = call.someone(accounts)
         val submission = submissions.seenBy(who, call.submissionId())
@@ -78,33 +76,78 @@ private fun FlowContent.deadline(
 suspend fun ApplicationCall.respondFragment(html: String) =
     respondText(html, ContentType.Text.Html.withCharset(Charsets.UTF_8))
 
-private suspend fun ApplicationCall.respondResult(
-    who: Identity,
-    submission: Submission,
-    title: String,
-    results: Results,
-    exercises: Exercises,
+/** The page of one submission; to an instructor it has the forms for points beside. */
+class ResultPage(
+    private val exercises: Exercises,
+    private val submissions: Submissions,
+    private val results: Results,
+    private val adjustments: Adjustments,
 ) {
-    val texts = texts()
-    val view = results.view(who, submission.id, texts.language)
-    val files = results.files(submission)
-    val exercise = exercises.at(submission.exercise, view.revision)
-    val sheet = SheetResult.of(exercise, submission.source)
-    respondPage(texts, who, "$title\u00a0— ${texts.say("result.title", submission.attempt)}") {
-        p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
-        deadline(texts, view, exercise?.hidesCases() ?: true)
-        div {
-            id = "live"
-            attributes["aria-live"] = "polite"
-            if (view.verdict == null) {
-                attributes["data-events"] = "/api/v1/submissions/${submission.id}/events"
-                attributes["data-fragment"] = "/submissions/${submission.id}/fragment"
+    suspend fun show(
+        call: ApplicationCall,
+        who: Identity,
+    ) = show(call, who, typed = null, refused = null)
+
+    /** Has what was typed shown again where what [call] goes on to do with it is refused. */
+    fun showAgain(
+        call: ApplicationCall,
+        who: Identity.Instructor,
+        typed: Parameters,
+    ) = call.attributes.put(
+        FORM_AGAIN,
+        FormAgain {
+            status,
+            code,
+            added,
+            ->
+            show(call, who, typed, Refused(status, code, added(call.texts().language)))
+        },
+    )
+
+    private suspend fun show(
+        call: ApplicationCall,
+        who: Identity,
+        typed: Parameters?,
+        refused: Refused?,
+    ) {
+        val texts = call.texts()
+        val submission = submissions.seenBy(who, call.submissionId())
+        val view = results.view(who, submission.id, texts.language)
+        val files = results.files(submission)
+        val exercise = exercises.at(submission.exercise, view.revision)
+        val sheet = SheetResult.of(exercise, submission.source)
+        val heading = "${title(texts, who, submission)}\u00a0— ${texts.say("result.title", submission.attempt)}"
+        call.respondPage(texts, who, heading, refused?.status ?: HttpStatusCode.OK) {
+            refused?.let { problem(texts, it.status, it.code, it.details) }
+            p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
+            deadline(texts, view, exercise?.hidesCases() ?: true)
+            div {
+                id = "live"
+                attributes["aria-live"] = "polite"
+                if (view.verdict == null) {
+                    attributes["data-events"] = "/api/v1/submissions/${submission.id}/events"
+                    attributes["data-fragment"] = "/submissions/${submission.id}/fragment"
+                }
+                result(texts, view, submission.source, files, sheet)
             }
-            result(texts, view, submission.source, files, sheet)
+            details {
+                summary { +texts.say(if (files.asksForPrograms) "result.source" else "result.handed") }
+                sourceLines(submission.source)
+            }
+            if (who is Identity.Instructor && view.verdict != null) {
+                marking(texts, submission, adjustments.of(submission.id), typed)
+            }
         }
-        details {
-            summary { +texts.say(if (files.asksForPrograms) "result.source" else "result.handed") }
-            sourceLines(submission.source)
-        }
+    }
+
+    /** The exercise, and to an instructor the student. */
+    private fun title(
+        texts: PageTexts,
+        who: Identity,
+        submission: Submission,
+    ): String {
+        val title = exercises.find(submission.exercise)?.title(texts.language) ?: submission.exercise
+        val student = submissions.listed(submission.id)?.student.takeIf { who is Identity.Staff }
+        return listOfNotNull(student, title).joinToString(" — ")
     }
 }

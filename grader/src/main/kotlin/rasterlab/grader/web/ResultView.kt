@@ -112,6 +112,11 @@ private fun FlowContent.points(
         +texts.say("result.points", points.total, points.of)
         if (points.hints > 0) span("hint-cost") { +texts.say("table.hints", points.hints) }
     }
+    if (points.manual.isNotEmpty()) {
+        ul("manual") {
+            points.manual.forEach { one -> li { +texts.say("result.manual", one.signed(), one.reason) } }
+        }
+    }
     if (!byKind) return
     val kinds = listOf("accuracy" to points.accuracy, "stability" to points.stability, "speed" to points.speed)
     ul("points") {

@@ -172,6 +172,7 @@ class RoleRoutesTest {
                 "staff" to assistants[1].id,
                 "token" to others[1],
                 "regrade" to "none",
+                "adjustment" to "none",
                 "case" to "open-case",
                 "picture" to "actual.png",
                 "name" to "dot.svg",

@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 import org.sqlite.SQLiteConfig
 import org.sqlite.SQLiteDataSource
+import rasterlab.grader.submission.Submissions
 import java.nio.file.Path
 import javax.sql.DataSource
 
@@ -63,15 +64,14 @@ class TablesTest {
         }
 
     @Test
-    @DisplayName("a course of version 13 is lost in one of the databases, or its results cannot be graded again")
+    @DisplayName("a course of version 13 or 14 is lost in one of the databases, or its results take no points by hand")
     fun gradesAgainWhatWasThereBefore() =
         LocalPostgres().use { postgres ->
             for (source in listOf(sqlite(), postgres.source)) {
                 Tables(source).migrate("11")
                 fill(source, 11)
                 Tables(source).migrate("13")
-                Tables(source).migrate()
-                assertWhole(source, 11)
+                Tables(source).migrate("14")
                 source.execute(
                     """INSERT INTO regrades (id, course_id, exercise, revision, choice, is_dry, state, account_id, begun_at)
                        VALUES ('g', 'c', 'draw-dot', 'r1', 'all', 1, 'grading', 'i', '$THEN')""",
@@ -84,6 +84,14 @@ class TablesTest {
                     "choice, r.run FROM regrades JOIN regrade_items ON regrade_id = 'g' JOIN results r ON r.id = result_id",
                     "all 2",
                 )
+                Tables(source).migrate()
+                assertWhole(source, 11)
+                source.assertRows("count(*) FROM regrade_items WHERE result_id IS NOT NULL", "1")
+                source.execute(
+                    """INSERT INTO adjustments (id, submission_id, points, reason, total_before, account_id, given_at)
+                       VALUES ('p', 's', -2, 'why', 9, 'i', '$THEN')""",
+                )
+                source.assertRows("${Submissions.NET} FROM submissions s JOIN results r ON r.run = 2", "7")
             }
         }
 

@@ -21,6 +21,7 @@ import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.cookieOf
+import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
 import rasterlab.grader.text
@@ -53,6 +54,7 @@ class StudentRecordsTest {
                     .jsonObject
                     .text("accuracy"),
             )
+            assertEquals("fine", submission.list("points").single().field("reason"))
             val files = unzipped(look(instructor, "/api/v1/students/$student/export?as=zip").bodyAsBytes())
             assertEquals(setOf("student.json", "draw-dot/attempt-1.java"), files.keys)
             assertEquals("class Dot { int mine; }", files["draw-dot/attempt-1.java"])
@@ -123,6 +125,18 @@ class StudentRecordsTest {
                 """INSERT INTO comments SELECT 'c' || id, id, 1, 'i', 'why?', '2026-03-01T12:00:00.000Z'
                    FROM submissions""",
             )
+            handle.execute(
+                """INSERT INTO regrades (id, course_id, exercise, revision, choice, is_dry, state, account_id, begun_at)
+                   SELECT 'g', id, 'draw-dot', 'r1', 'all', 1, 'graded', 'i', '2026-03-01T12:00:00.000Z' FROM courses""",
+            )
+            handle.execute(
+                """INSERT INTO regrade_items (regrade_id, submission_id, position, state, result_id, former_id)
+                   SELECT 'g', submission_id, 1, 'done', id, id FROM results""",
+            )
+            handle.execute(
+                """INSERT INTO adjustments (id, submission_id, points, reason, total_before, account_id, given_at)
+                   SELECT 'p' || id, id, 2, 'fine', 4, 'i', '2026-03-01T12:00:00.000Z' FROM submissions""",
+            )
             handle.execute("INSERT INTO diagnostics SELECT id, 0, 1, 1, 'm', '' FROM results")
             handle.execute(
                 "INSERT INTO speed_methods (result_id, position, method, ratio) SELECT id, 0, 'naive', 1.0 FROM results",
@@ -145,6 +159,8 @@ class StudentRecordsTest {
             "extensions",
             "roster_fields",
             "comments",
+            "regrade_items",
+            "adjustments",
             "sessions",
             "idempotency_keys",
         )

@@ -7,6 +7,7 @@ import com.networknt.schema.SchemaRegistry
 import com.networknt.schema.SpecificationVersion
 import io.ktor.client.request.get
 import io.ktor.client.request.header
+import io.ktor.client.request.patch
 import io.ktor.client.request.post
 import io.ktor.client.request.request
 import io.ktor.client.request.setBody
@@ -93,7 +94,16 @@ class SchemaFuzzTest {
             }
         val regrade = begun.json().text("regrade")
         look(instructor, "/api/v1/regrades/$regrade/events").bodyAsText()
+        val given =
+            List(2) {
+                client.patch("/api/v1/submissions/$id/points") {
+                    bearer(instructor)
+                    json("""{"points":1,"reason":"fine"}""")
+                }
+            }
+        val adjustments = mapper.readTree(given.last().bodyAsText()).path("adjustments").map { it.path("id").asText() }
         return mapOf(
+            "adjustment" to adjustments,
             "regrade" to listOf(regrade),
             "course" to listOf(course),
             "id" to listOf("draw-dot", id),
