@@ -65,8 +65,8 @@ fun main(arguments: Array<String>) {
 }
 
 /** Every failure ends in one line; its stack is in the log, if there is one already. */
-internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLine {
-    return words
+internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLine =
+    words
         .wear(programOf(words))
         .setUsageHelpWidth(HELP_WIDTH)
         .registerConverter(Path::class.java, ::named)
@@ -109,7 +109,6 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
                 }
             }
         }
-}
 
 private fun programOf(words: CommandWords): CommandLine =
     CommandLine(GraderProgram(words))

@@ -337,8 +337,8 @@ class OwnInLabTest {
     @ParameterizedTest
     @CsvSource({
         "vertex-normals, normals=mine",
-        "shade, shaded=shade]",
-        "shade-face, shaded=shade-face]"
+        "shade, 'shaded=shade,'",
+        "shade-face, 'shaded=shade-face,'"
     })
     void theLabOfLightLightsByTheProgram(String id, String kept) {
         showModel(Catalogue.builtIn().named(id));
