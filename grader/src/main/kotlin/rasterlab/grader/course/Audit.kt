@@ -13,7 +13,8 @@ import java.time.Instant
  * @param byName the name of that account; empty where it has none
  * @param role of that account; empty for the server's machine
  * @param course its name; null for what belongs to the whole server
- * @param subjectName what the id in [subject] is called; null where it is none, or is gone
+ * @param subjectName what the id in [subject] is called, a submission by its student, a regrade by its exercise; null
+ *     where it is none, or is gone
  */
 data class AuditEntry(
     val id: String,
@@ -88,13 +89,17 @@ class Audit(
 
         private const val SELECT =
             """SELECT audit.*, doers.name AS by_name, doers.role, courses.name AS course_name,
-                   coalesce(students.shown_name, others.name, earlier.name) AS subject_name
+                   coalesce(students.shown_name, others.name, earlier.name, authors.shown_name, regrades.exercise)
+                       AS subject_name
                FROM audit
                LEFT JOIN instructors AS doers ON doers.id = audit.account_id
                LEFT JOIN courses ON courses.id = audit.course_id
                LEFT JOIN students ON students.id = audit.subject
                LEFT JOIN instructors AS others ON others.id = audit.subject
-               LEFT JOIN courses AS earlier ON earlier.id = audit.subject"""
+               LEFT JOIN courses AS earlier ON earlier.id = audit.subject
+               LEFT JOIN submissions ON submissions.id = audit.subject
+               LEFT JOIN students AS authors ON authors.id = submissions.student_id
+               LEFT JOIN regrades ON regrades.id = audit.subject"""
         private const val EARLIER =
             """JOIN audit AS seen ON seen.id = :before
                WHERE audit.noted_at < seen.noted_at OR (audit.noted_at = seen.noted_at AND audit.id < seen.id)"""

@@ -65,14 +65,27 @@ private fun FlowContent.changeTable(
                     td { moment(one.notedAt) }
                     td { +texts.doer(one) }
                     td { +texts.action(one.action) }
-                    td { +(one.subjectName ?: one.subject) }
+                    td { subject(one) }
                     td { +one.course.orEmpty() }
-                    td { +one.detail }
+                    td { if (one.detail != one.subjectName) +texts.detail(one) }
                 }
             }
         }
     }
 }
+
+private fun FlowContent.subject(one: AuditEntry) {
+    val name = one.subjectName ?: one.subject
+    when {
+        one.subjectName == null -> +name
+        one.action.startsWith("points") -> a("/submissions/${one.subject}") { +name }
+        one.action.startsWith("regrade") -> a("/instructor/regrades/${one.subject}") { +name }
+        else -> +name
+    }
+}
+
+private fun PageTexts.detail(one: AuditEntry): String =
+    if (one.action.startsWith("staff-")) say("staff.role.${one.detail}") else one.detail
 
 private fun PageTexts.doer(one: AuditEntry): String =
     when {

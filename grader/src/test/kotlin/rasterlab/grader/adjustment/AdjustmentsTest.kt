@@ -64,6 +64,9 @@ class AdjustmentsTest {
             val notes = listOf("points 3, before 4", "points -9, before 7", "points-revoke -9")
             val noted = "SELECT action || ' ' || detail FROM audit WHERE action LIKE 'points%' ORDER BY noted_at, rowid"
             assertEquals(notes, texts(noted))
+            val changes = show("/instructor/audit", instructor)
+            assertTrue("<td>points by hand taken back</td>" in changes, changes)
+            assertTrue("""<a href="/submissions/$id">Ada</a>""" in changes, changes)
         }
 
     @Test

@@ -140,6 +140,11 @@ class RegradeRoutesTest {
             assertEquals(302, send("$page/undo", "").status.value)
             assertEquals("2", pointsOf(submission))
             assertTrue(page in show(begin), "no list of regrades")
+            val changes = show("/instructor/audit")
+            for (word in listOf("grading again begun", "regrade accepted", "regrade undone")) {
+                assertTrue("<td>$word</td>" in changes, changes)
+            }
+            assertTrue("""<a href="$page">draw-dot</a>""" in changes, changes)
         }
 
     @Test
