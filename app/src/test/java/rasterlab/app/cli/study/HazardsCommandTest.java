@@ -95,7 +95,8 @@ class HazardsCommandTest {
         for (Hazard<?> hazard : Topics.named("rotate").hazards())
             for (Method<?> method : Topics.named("rotate").methods()) {
                 String typed =
-                        "./lab run rotate %s --hazard %s".formatted(method.name(), hazard.name());
+                        "./lab --lang ru run rotate %s --hazard %s"
+                                .formatted(method.name(), hazard.name());
                 assertTrue(page.contains(typed), typed);
             }
         assertTrue(page.contains("<img alt="), "a picture of what is wrong");
