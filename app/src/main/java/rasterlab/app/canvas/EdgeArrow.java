@@ -59,7 +59,7 @@ public final class EdgeArrow {
      */
     public static void paint(
             Graphics2D g,
-            StageColours colours,
+            StageColors colours,
             int width,
             int height,
             double angle,

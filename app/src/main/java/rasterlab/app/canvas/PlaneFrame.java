@@ -43,7 +43,7 @@ record PlaneFrame(
         int height,
         Rectangle covered,
         double scale,
-        StageColours colours,
+        StageColors colours,
         Font font,
         Locale locale) {
     private static final double DOT = 3.5;

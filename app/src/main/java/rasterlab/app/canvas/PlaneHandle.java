@@ -104,7 +104,7 @@ final class PlaneHandle extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         if (away.isPresent()) {
             EdgeArrow.paint(g, colours, getWidth(), getHeight(), away.getAsDouble(), showsFocus());
             g.dispose();

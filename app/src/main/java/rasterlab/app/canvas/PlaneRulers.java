@@ -27,7 +27,7 @@ public final class PlaneRulers {
 
     private final PlaneMap map;
     private final Dimension view;
-    private final StageColours colours;
+    private final StageColors colours;
     private final Font font;
     private final Locale locale;
     private final double least;
@@ -39,7 +39,7 @@ public final class PlaneRulers {
     public PlaneRulers(
             PlaneMap map,
             Dimension view,
-            StageColours colours,
+            StageColors colours,
             Font font,
             Locale locale,
             double least) {

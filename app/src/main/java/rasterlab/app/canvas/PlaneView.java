@@ -259,7 +259,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
                 getHeight(),
                 zoom.getBounds(),
                 DevicePixels.scale(this),
-                StageColours.now(),
+                StageColors.now(),
                 PictureType.in(getSize()),
                 texts.locale());
     }
@@ -277,7 +277,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
-        g.setColor(StageColours.now().ground());
+        g.setColor(StageColors.now().ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         shown.ifPresent(image -> DevicePixels.paint(g, image));
         g.dispose();

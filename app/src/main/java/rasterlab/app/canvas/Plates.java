@@ -44,7 +44,7 @@ public final class Plates {
      */
     public static void sentenceAbove(Graphics2D g, String sentence, int width, int bottom) {
         FontMetrics metrics = g.getFontMetrics();
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         Color plate = nearlyOpaque(colours.ground());
         List<String> lines = Wrapping.lines(sentence, width - 48, metrics::stringWidth);
         int high = metrics.getHeight() + 2;

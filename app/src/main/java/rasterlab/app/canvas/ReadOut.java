@@ -17,8 +17,8 @@ public final class ReadOut extends JLabel {
     public ReadOut() {
         setName("pointed");
         setOpaque(true);
-        setBackground(StageColours.now().ground());
-        setForeground(StageColours.now().ink());
+        setBackground(StageColors.now().ground());
+        setForeground(StageColors.now().ink());
         setBorder(BorderFactory.createEmptyBorder(PAD, 5, PAD, 5));
         setVisible(false);
     }

@@ -15,13 +15,13 @@ public final class Rulers {
 
     private final ZoomedGrid grid;
     private final Dimension view;
-    private final StageColours colours;
+    private final StageColors colours;
     private final Font font;
 
     /**
      * @param font of a label; the numbers are smaller
      */
-    public Rulers(ZoomedGrid grid, Dimension view, StageColours colours, Font font) {
+    public Rulers(ZoomedGrid grid, Dimension view, StageColors colours, Font font) {
         this.grid = grid;
         this.view = view;
         this.colours = colours;

@@ -42,7 +42,7 @@ public abstract class SelfDrawn extends JComponent {
     /** Draws a frame at the edges, where it {@linkplain #showsFocus() has the keyboard}. */
     protected final void frameFocus(Graphics2D g) {
         if (!showsFocus()) return;
-        g.setColor(StageColours.now().focus());
+        g.setColor(StageColors.now().focus());
         g.setStroke(new BasicStroke(2));
         g.drawRect(1, 1, getWidth() - 2, getHeight() - 2);
     }

@@ -96,7 +96,7 @@ public final class StageNote {
      *
      * @param g in view units; keeps its font
      */
-    public void paint(Graphics2D g, StageColours colours) {
+    public void paint(Graphics2D g, StageColors colours) {
         Font before = g.getFont();
         g.setFont(font);
         LineMetrics metrics = font.getLineMetrics("", MEASURE);

@@ -1,6 +1,6 @@
 package rasterlab.app.card;
 
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 
 /**
  * All that the app has to know of a topic: which lab shows it, in which colours, and how its inputs
@@ -12,4 +12,4 @@ import rasterlab.app.canvas.method.TopicColours;
  * @param way what shows its inputs
  * @param <M> the lab's model
  */
-public record TopicCard<M>(String topic, LabRoom<M> lab, TopicColours colours, TopicWay<M> way) {}
+public record TopicCard<M>(String topic, LabRoom<M> lab, TopicColors colours, TopicWay<M> way) {}

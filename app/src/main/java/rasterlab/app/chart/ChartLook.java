@@ -8,9 +8,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.knowm.xchart.style.XYStyler;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgPicture;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 
 /**
  * The colours of a chart of {@link #WIDTH} × {@link #HEIGHT} pixels.
@@ -31,7 +31,7 @@ public record ChartLook(Color ground, Color ink) {
     private static final double GRID = 0.25;
 
     /** The look of a stage in those colours. */
-    public static ChartLook on(StageColours stage) {
+    public static ChartLook on(StageColors stage) {
         return new ChartLook(stage.ground(), stage.ink());
     }
 
@@ -76,7 +76,7 @@ public record ChartLook(Color ground, Color ink) {
 
     /** A line's colour: on white as it is, elsewhere one that stands out from the ground. */
     public Color line(Color colour) {
-        return ground.equals(Color.WHITE) ? colour : MethodColours.lineOn(ground, colour);
+        return ground.equals(Color.WHITE) ? colour : MethodColors.lineOn(ground, colour);
     }
 
     private Color mixed(double share) {

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 import rasterlab.app.mine.OwnMethods;
 
 /**
@@ -44,7 +44,7 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
      *     that a method looks the same whatever the others did
      * @param own the methods' colours
      */
-    public static Map<String, MethodLook> of(List<String> methods, TopicColours own) {
+    public static Map<String, MethodLook> of(List<String> methods, TopicColors own) {
         Map<String, Color> colours = own.among(methods);
         var looks = new LinkedHashMap<String, MethodLook>();
         for (String method : methods) {

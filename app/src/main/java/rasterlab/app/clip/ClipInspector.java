@@ -134,7 +134,7 @@ final class ClipInspector {
             List<String> names = model.methods(each);
             method.put(
                     each,
-                    new MethodChooser("method", "", names, ClipColours.OWN, model::chooseMethod)
+                    new MethodChooser("method", "", names, ClipColors.OWN, model::chooseMethod)
                             .withOwn(shared));
             comparison.put(
                     each,
@@ -142,7 +142,7 @@ final class ClipInspector {
                                     "comparison",
                                     texts.text("none"),
                                     names,
-                                    ClipColours.OWN,
+                                    ClipColors.OWN,
                                     model::compareWith)
                             .withOwn(shared));
             column.row("method", method.get(each));

@@ -19,8 +19,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.clip.scene.ClipPoint;
 import rasterlab.engine.raster.PixelMark;
 
@@ -43,7 +43,7 @@ final class ClipPainter {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColours colours;
+    private final StageColors colours;
     private final Color first;
     private final Color second;
     private final InView inView;
@@ -57,15 +57,15 @@ final class ClipPainter {
     ClipPainter(
             Graphics2D g,
             PlaneMap map,
-            StageColours colours,
+            StageColors colours,
             String method,
             String other,
             List<Rectangle> labels) {
         this.g = g;
         this.map = map;
         this.colours = colours;
-        first = ClipColours.OWN.of(method);
-        second = ClipColours.OWN.of(other);
+        first = ClipColors.OWN.of(method);
+        second = ClipColors.OWN.of(other);
         this.labels = labels;
         inView = new InView(map, g.getClipBounds());
         words = new SignWordPlaces(g.getClipBounds(), labels);
@@ -110,13 +110,12 @@ final class ClipPainter {
             case WINDOW -> stroke(path, colours.ink(), 2f);
             case HIDDEN -> dashed(path, colours.axis(), 1.4f, 5);
             case HELP -> dashed(path, colours.axis(), 1f, 3);
-            case GIVEN ->
-                    stroke(path, MethodColours.mix(colours.axis(), colours.ink(), 0.25), 1.6f);
+            case GIVEN -> stroke(path, MethodColors.mix(colours.axis(), colours.ink(), 0.25), 1.6f);
             case LEFT -> edged(path, first, 5f);
             case STEP -> edged(path, first, 3f);
             case TESTED -> stroke(path, colours.focus(), 2.6f);
-            case MISSING -> wrong(path, line, MethodColours.VERMILLION, PixelMark.MISSING);
-            case EXTRA -> wrong(path, line, MethodColours.VERMILLION, PixelMark.EXTRA);
+            case MISSING -> wrong(path, line, MethodColors.VERMILLION, PixelMark.MISSING);
+            case EXTRA -> wrong(path, line, MethodColors.VERMILLION, PixelMark.EXTRA);
             case ONLY_FIRST -> wrong(path, line, first, PixelMark.EXTRA);
             case ONLY_SECOND -> wrong(path, line, second, PixelMark.MISSING);
         }
@@ -143,7 +142,7 @@ final class ClipPainter {
 
     /** Draws a path with an edge that is seen on the ground, whatever the colour. */
     private void edged(Path2D path, Color colour, float width) {
-        stroke(path, MethodColours.edgeOn(colours.ground(), colour), width + 1.5f);
+        stroke(path, MethodColors.edgeOn(colours.ground(), colour), width + 1.5f);
         stroke(path, colour, width);
     }
 
@@ -190,8 +189,8 @@ final class ClipPainter {
     /**
      * Color of a region's code: less than the ink, yet to be read on the ground and in the window.
      */
-    static Color code(StageColours colours) {
-        return MethodColours.mix(colours.axis(), colours.ink(), 0.5);
+    static Color code(StageColors colours) {
+        return MethodColors.mix(colours.axis(), colours.ink(), 0.5);
     }
 
     /** Paints a region behind everything else. */

@@ -79,7 +79,7 @@ public final class ClipPanel extends LabPanel {
                                                         .withComparison(""),
                                         () -> model.state().choice().scene().method(),
                                         model::chooseMethod,
-                                        ClipColours.OWN));
+                                        ClipColors.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

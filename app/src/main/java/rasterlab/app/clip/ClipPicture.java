@@ -10,7 +10,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.clip.outcome.ClipResults;
 import rasterlab.app.clip.outcome.Clipping;
 import rasterlab.app.clip.outcome.PolygonClipping;
@@ -102,7 +102,7 @@ record ClipPicture(
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
         new ClipPainter(g, map, colours, method, other, labels).paint(drawn, cancelled);
     }
 

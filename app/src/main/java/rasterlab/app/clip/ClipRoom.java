@@ -52,7 +52,7 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
         return new TopicCard<>(
                 mode.topic(),
                 this,
-                ClipColours.OWN,
+                ClipColors.OWN,
                 TopicWay.<ClipLabModel>inTurn(
                                 ClipLabModel::history,
                                 (lab, input) -> lab.showInput(mode, input),

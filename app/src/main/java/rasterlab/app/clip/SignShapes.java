@@ -6,7 +6,7 @@ import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 
 /** The shapes of signs on the stage and of their keys in the inspector. */
 final class SignShapes {
@@ -24,7 +24,7 @@ final class SignShapes {
             double x,
             double y,
             double angle,
-            StageColours colours) {
+            StageColors colours) {
         var place = AffineTransform.getTranslateInstance(x, y);
         place.rotate(angle);
         Shape shape = place.createTransformedShape(outline(sign));

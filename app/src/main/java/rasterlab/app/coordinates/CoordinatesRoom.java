@@ -11,7 +11,7 @@ import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
-import rasterlab.app.coordinates.figure.FigureColours;
+import rasterlab.app.coordinates.figure.FigureColors;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.geometry.meeting.PlaneAndLines;
 import rasterlab.engine.transform.matrix.MatrixCall;
@@ -53,12 +53,12 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     @Override
     public List<TopicCard<CoordinatesLabModel>> cards() {
         return List.of(
-                new TopicCard<>("rotate", this, FigureColours.OWN, rotations()),
-                new TopicCard<>("matrix", this, FigureColours.OWN, matrices()),
-                new TopicCard<>("line-plane", this, FigureColours.OWN, meetings()),
-                new TopicCard<>("transform", this, FigureColours.OWN, points("transform")),
-                new TopicCard<>("view", this, FigureColours.OWN, points("view")),
-                new TopicCard<>("rotate-axis", this, FigureColours.OWN, points("rotate-axis")));
+                new TopicCard<>("rotate", this, FigureColors.OWN, rotations()),
+                new TopicCard<>("matrix", this, FigureColors.OWN, matrices()),
+                new TopicCard<>("line-plane", this, FigureColors.OWN, meetings()),
+                new TopicCard<>("transform", this, FigureColors.OWN, points("transform")),
+                new TopicCard<>("view", this, FigureColors.OWN, points("view")),
+                new TopicCard<>("rotate-axis", this, FigureColors.OWN, points("rotate-axis")));
     }
 
     private static TopicWay<CoordinatesLabModel> rotations() {

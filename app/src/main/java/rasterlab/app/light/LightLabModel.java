@@ -34,7 +34,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private static final double STEEPEST = Math.PI - 0.05;
 
     /** The part of the state that undo brings back. */
-    record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
+    record Chosen(LightChoice light, boolean colours, ColorChoice colour) {}
 
     private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
     private final LatestReading reader;
@@ -55,7 +55,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
                     LightChoice.first(),
                     false,
                     Optional.empty(),
-                    ColourChoice.first(),
+                    ColorChoice.first(),
                     "",
                     Optional.empty());
 
@@ -198,15 +198,15 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Changes the colour and remembers how it was. */
-    public void colour(UnaryOperator<ColourChoice> change) {
-        ColourChoice next = change.apply(state.colour());
+    public void colour(UnaryOperator<ColorChoice> change) {
+        ColorChoice next = change.apply(state.colour());
         if (next.equals(state.colour())) return;
         history.remember();
         show(new Chosen(state.choice(), state.colours(), next));
     }
 
     /** How a colour comes back by the user's program; empty until that is found. */
-    public Optional<OwnTrips.Trips> ownTrips(ColourChoice colour) {
+    public Optional<OwnTrips.Trips> ownTrips(ColorChoice colour) {
         return ownTrips.of(colour);
     }
 
@@ -245,7 +245,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      */
     public void show(String topic, String hazard, Object input, String method) {
         boolean colours = input instanceof Colors;
-        ColourChoice colour = state.colour();
+        ColorChoice colour = state.colour();
         LightChoice light = state.choice();
         boolean mine = method.equals(OwnMethods.NAME);
         if (input instanceof Colors colors) colour = colour.with(colors, method);
@@ -305,7 +305,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     /** Returns to the first light and colour; can be undone. */
     public void reset() {
-        var first = new Chosen(LightChoice.first(), state.colours(), ColourChoice.first());
+        var first = new Chosen(LightChoice.first(), state.colours(), ColorChoice.first());
         if (first.equals(chosen())) {
             forgetProblem();
             return;

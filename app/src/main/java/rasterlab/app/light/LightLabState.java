@@ -17,6 +17,6 @@ public record LightLabState(
         LightChoice choice,
         boolean colours,
         Optional<LightFrame.Drawn> drawn,
-        ColourChoice colour,
+        ColorChoice colour,
         String problem,
         Optional<HazardNote> note) {}

@@ -13,7 +13,7 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -24,7 +24,7 @@ import rasterlab.engine.light.face.MachBands;
 public final class MachBandsChart {
     private static final int PER_FACE = 51;
     private static final Color[] COLOURS = {
-        MethodColours.ORANGE, MethodColours.BLUE, MethodColours.GREEN
+        MethodColors.ORANGE, MethodColors.BLUE, MethodColors.GREEN
     };
 
     private MachBandsChart() {}

@@ -23,11 +23,11 @@ public final class OwnTrips implements AutoCloseable {
     /**
      * The answers to one colour.
      *
-     * @param errors as {@link ColourChoice#roundTrips} has them; none where the program gives no
+     * @param errors as {@link ColorChoice#roundTrips} has them; none where the program gives no
      *     answer
      * @param refusal why there is none, in English; "" otherwise
      */
-    public record Trips(ColourChoice colour, Map<ColorModel, Double> errors, String refusal) {
+    public record Trips(ColorChoice colour, Map<ColorModel, Double> errors, String refusal) {
         /** Why there is no answer, in words; "" where there is one. */
         public String refusalIn(Language language) {
             if (refusal.isEmpty()) return "";
@@ -35,8 +35,8 @@ public final class OwnTrips implements AutoCloseable {
         }
     }
 
-    private final LatestOnly<ColourChoice, Trips> trips;
-    private Optional<ColourChoice> asked = Optional.empty();
+    private final LatestOnly<ColorChoice, Trips> trips;
+    private Optional<ColorChoice> asked = Optional.empty();
     private Optional<Trips> newest = Optional.empty();
 
     /**
@@ -59,7 +59,7 @@ public final class OwnTrips implements AutoCloseable {
                         onFailure);
     }
 
-    private static Trips trips(Topic<ColorConverter, ?, ?> topic, ColourChoice colour) {
+    private static Trips trips(Topic<ColorConverter, ?, ?> topic, ColorChoice colour) {
         ColorConverter program = topic.method(OwnMethods.NAME).implementation();
         try {
             return new Trips(colour, colour.roundTrips(measured(program)), "");
@@ -70,7 +70,7 @@ public final class OwnTrips implements AutoCloseable {
         }
     }
 
-    private static Trips without(ColourChoice colour, NoAnswer why) {
+    private static Trips without(ColorChoice colour, NoAnswer why) {
         return new Trips(colour, Map.of(), why.getMessage());
     }
 
@@ -84,7 +84,7 @@ public final class OwnTrips implements AutoCloseable {
     }
 
     /** The colour that came back; empty until it is found, which this call starts. */
-    Optional<Trips> of(ColourChoice colour) {
+    Optional<Trips> of(ColorChoice colour) {
         if (asked.filter(colour::equals).isEmpty()) {
             asked = Optional.of(colour);
             trips.ask(colour);

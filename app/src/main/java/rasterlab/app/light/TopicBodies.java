@@ -227,7 +227,7 @@ public final class TopicBodies {
     public static List<ShownDifference> shownDifferences(Object input, String method) {
         String shown = method.equals(OwnMethods.NAME) ? "" : method;
         if (!(input instanceof Colors colors)) return differences(input, shown);
-        return ColourChoice.first().with(colors, "formula").outside()
+        return ColorChoice.first().with(colors, "formula").outside()
                 ? List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))
                 : List.of();
     }

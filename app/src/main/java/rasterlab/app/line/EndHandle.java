@@ -19,7 +19,7 @@ import javax.swing.KeyStroke;
 import rasterlab.app.canvas.EdgeArrow;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 
 /**
  * The ring around one end of the segment: dragged by the mouse, moved by the arrow keys.
@@ -89,7 +89,7 @@ final class EndHandle extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         if (away.isPresent()) {
             EdgeArrow.paint(g, colours, getWidth(), getHeight(), away.getAsDouble(), showsFocus());
             g.dispose();

@@ -28,7 +28,7 @@ import rasterlab.app.line.figure.FigureTopics;
 import rasterlab.app.line.figure.PenFigure;
 import rasterlab.app.line.figure.SlopeFigure;
 import rasterlab.app.line.trace.AloneMark;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.line.trace.LineTrace;
 import rasterlab.app.mine.OwnMethods;
@@ -132,7 +132,7 @@ final class FigureInspector {
             List<String> names = model.methods(each);
             method.put(
                     each,
-                    new MethodChooser("method", "", names, LineColours.OWN, model::chooseMethod)
+                    new MethodChooser("method", "", names, LineColors.OWN, model::chooseMethod)
                             .withOwn(shared));
             comparison.put(
                     each,
@@ -140,7 +140,7 @@ final class FigureInspector {
                                     "comparison",
                                     texts.text("none"),
                                     names,
-                                    LineColours.OWN,
+                                    LineColors.OWN,
                                     model::compareWith)
                             .withOwn(shared));
             column.row("method", method.get(each));

@@ -19,7 +19,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.line.figure.FigureCommand;
 import rasterlab.app.line.figure.FigureLabModel;
 import rasterlab.app.line.figure.FigureStage;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.app.line.trace.LineMode;
 
 /** Circles, ellipses, lines of a pen and the chart of brightness, in one language. */
@@ -63,7 +63,7 @@ final class FigurePanel extends LabPanel {
                                         () -> model.state().scene().figure(),
                                         () -> model.state().scene().method(),
                                         model::chooseMethod,
-                                        LineColours.OWN));
+                                        LineColors.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -19,7 +19,7 @@ import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.StageNote;
 import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.contract.Pixels;
@@ -44,7 +44,7 @@ record LineFrame(
         int width,
         int height,
         double scale,
-        StageColours colours,
+        StageColors colours,
         Font font,
         String note,
         Rectangle zoom,

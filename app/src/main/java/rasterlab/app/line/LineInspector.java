@@ -10,7 +10,7 @@ import rasterlab.app.canvas.method.MethodChooser;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.line.trace.LineTrace;
 import rasterlab.contract.LineRasterizer;
@@ -51,14 +51,14 @@ final class LineInspector {
         column.row("mode", ModeChooser.of(LineMode.SEGMENT, model, texts));
         Texts shared = Texts.of("canvas", texts.language());
         method =
-                new MethodChooser("method", "", names, LineColours.OWN, model::chooseMethod)
+                new MethodChooser("method", "", names, LineColors.OWN, model::chooseMethod)
                         .withOwn(shared);
         comparison =
                 new MethodChooser(
                                 "comparison",
                                 texts.text("none"),
                                 names,
-                                LineColours.OWN,
+                                LineColors.OWN,
                                 model::compareWith)
                         .withOwn(shared);
         column.row("method", method);

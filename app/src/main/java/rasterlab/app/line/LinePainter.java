@@ -8,11 +8,11 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.ZoomedGrid;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.line.trace.AloneMark;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;
@@ -23,13 +23,13 @@ import rasterlab.engine.raster.PixelWindow;
 final class LinePainter {
     private final Graphics2D g;
     private final ZoomedGrid grid;
-    private final StageColours colours;
+    private final StageColors colours;
     private final BooleanSupplier cancelled;
 
     /**
      * @param cancelled asked at each pixel
      */
-    LinePainter(Graphics2D g, ZoomedGrid grid, StageColours colours, BooleanSupplier cancelled) {
+    LinePainter(Graphics2D g, ZoomedGrid grid, StageColors colours, BooleanSupplier cancelled) {
         this.g = g;
         this.grid = grid;
         this.colours = colours;
@@ -78,7 +78,7 @@ final class LinePainter {
 
     /** Coverage is opacity, of a colour that stands out from the ground where it is whole. */
     private void paintCoverage(LineDrawing drawing, int step, double inset) {
-        Color whole = MethodColours.edgeOn(colours.ground(), LineColours.OWN.of(drawing.method()));
+        Color whole = MethodColors.edgeOn(colours.ground(), LineColors.OWN.of(drawing.method()));
         for (PixelCoverage.Shade shade : drawing.coverage().orElseThrow().drawn().shades()) {
             if (shade.step() > step) return;
             requireUse();
@@ -92,8 +92,8 @@ final class LinePainter {
             paintCoverage(drawing, step, grid.cell() >= 6 ? 1 : 0);
             return;
         }
-        Color fill = LineColours.OWN.of(drawing.method());
-        Color edge = MethodColours.edgeOn(colours.ground(), fill);
+        Color fill = LineColors.OWN.of(drawing.method());
+        Color edge = MethodColors.edgeOn(colours.ground(), fill);
         double gap = grid.cell() >= 6 ? 1 : 0;
         for (int i = 1; i <= step; i++) {
             requireUse();
@@ -118,8 +118,8 @@ final class LinePainter {
             paintCoverage(other, step, grid.cell() * 0.28);
             return;
         }
-        Color fill = LineColours.OWN.of(other.method());
-        Color edge = MethodColours.inkOn(fill);
+        Color fill = LineColors.OWN.of(other.method());
+        Color edge = MethodColors.inkOn(fill);
         double inset = grid.cell() * 0.28;
         for (int i = 1; i <= step; i++) {
             requireUse();

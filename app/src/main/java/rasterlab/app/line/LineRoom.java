@@ -13,7 +13,7 @@ import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.line.figure.FigureCommand;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.circle.Circle;
@@ -54,7 +54,7 @@ public final class LineRoom implements LabRoom<LineLabModel> {
     @Override
     public List<TopicCard<LineLabModel>> cards() {
         return List.of(
-                new TopicCard<>("line", this, LineColours.OWN, segments()),
+                new TopicCard<>("line", this, LineColors.OWN, segments()),
                 figure(
                         "circle",
                         LineMode.CIRCLE,
@@ -97,7 +97,7 @@ public final class LineRoom implements LabRoom<LineLabModel> {
         return new TopicCard<>(
                 topic,
                 this,
-                LineColours.OWN,
+                LineColors.OWN,
                 TopicWay.<LineLabModel>inTurn(
                                 lab -> lab.figures().history(),
                                 (lab, input) -> {

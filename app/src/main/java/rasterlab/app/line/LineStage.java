@@ -27,7 +27,7 @@ import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.ReadOut;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.ZoomButtons;
@@ -249,7 +249,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 getWidth(),
                 getHeight(),
                 DevicePixels.scale(this),
-                StageColours.now(),
+                StageColors.now(),
                 PictureType.in(getSize()),
                 note(),
                 zoom.getBounds(),
@@ -275,7 +275,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
-        g.setColor(StageColours.now().ground());
+        g.setColor(StageColors.now().ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         shown.ifPresent(image -> DevicePixels.paint(g, image));
         g.dispose();

@@ -14,7 +14,7 @@ import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.engine.study.Method;
 
 /** The lab of segments as the window shows it, in one language. */
@@ -67,7 +67,7 @@ final class SegmentPanel extends LabPanel {
                                         () -> model.state().choice().segment(),
                                         () -> model.state().choice().method(),
                                         model::chooseMethod,
-                                        LineColours.OWN));
+                                        LineColors.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

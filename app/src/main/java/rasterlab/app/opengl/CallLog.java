@@ -17,7 +17,7 @@ import javax.swing.JList;
 import javax.swing.ListSelectionModel;
 import javax.swing.TransferHandler;
 import javax.swing.UIManager;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.call.GlCall;
 import rasterlab.app.opengl.state.Setting;
@@ -146,7 +146,7 @@ final class CallLog extends JList<GlCall> {
             setToolTipText(call.text());
             if (isMarked(call)) {
                 setFont(getFont().deriveFont(Font.BOLD));
-                if (!on) setForeground(StageColours.now().focus());
+                if (!on) setForeground(StageColors.now().focus());
             }
             int columns = (list.getWidth() - 2 * BESIDE) / letter();
             lines = CallLines.of(call.text() + ";", columns - NUMBER);

@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import javax.accessibility.AccessibleRole;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.engine.raster.Raster;
 
@@ -64,7 +64,7 @@ final class PicturePane extends SelfDrawn {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
-        g.setColor(StageColours.now().margin());
+        g.setColor(StageColors.now().margin());
         g.fillRect(0, 0, getWidth(), getHeight());
         Optional<Raster> shown = picture.get();
         if (shown.isPresent())
@@ -78,7 +78,7 @@ final class PicturePane extends SelfDrawn {
      * Draws a sentence in type that is small enough for all of it, but no smaller than can be read.
      */
     private void say(Graphics2D g, String sentence) {
-        g.setColor(StageColours.now().ink());
+        g.setColor(StageColors.now().ink());
         List<String> lines = lines(g, sentence);
         float least = UIScale.scale(LEAST_TYPE);
         while (lines.size() * g.getFontMetrics().getHeight() > getHeight() - 2 * MARGIN
@@ -103,7 +103,7 @@ final class PicturePane extends SelfDrawn {
         g.setColor(Color.WHITE);
         g.setStroke(new BasicStroke(4));
         g.drawRect(2, 2, getWidth() - 4, getHeight() - 4);
-        g.setColor(StageColours.LIGHT.focus());
+        g.setColor(StageColors.LIGHT.focus());
         g.setStroke(new BasicStroke(2));
         g.drawRect(2, 2, getWidth() - 4, getHeight() - 4);
     }

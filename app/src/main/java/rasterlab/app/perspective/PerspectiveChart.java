@@ -9,7 +9,7 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -74,7 +74,7 @@ public final class PerspectiveChart {
                         curve().stream().mapToDouble(Sample::distance).toArray(),
                         curve().stream().mapToDouble(Sample::gamma).toArray());
         series.setMarker(SeriesMarkers.NONE);
-        series.setLineColor(MethodColours.BLUE);
+        series.setLineColor(MethodColors.BLUE);
         series.setLineStyle(new BasicStroke(3f));
         return chart;
     }

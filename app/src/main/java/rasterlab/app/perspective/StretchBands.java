@@ -5,7 +5,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import org.knowm.xchart.internal.chartpart.Annotation;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Texts;
 
 /** Where γ runs away and where it begins to, as bands with their names; and γ = 1, its limit. */
@@ -42,7 +42,7 @@ final class StretchBands extends Annotation {
 
     /** The bands' names stand one below the other, since they are wider than their bands. */
     private void band(Graphics2D graphics, double from, Stretch stretch, int alpha) {
-        Color colour = MethodColours.VERMILLION;
+        Color colour = MethodColors.VERMILLION;
         int left = getXAxisScreenValue(from);
         int right = getXAxisScreenValue(stretch.end());
         int top = getYAxisScreenValue(highest);

@@ -13,8 +13,8 @@ import java.util.stream.Stream;
 import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.polygon.figure.CutFigure;
 import rasterlab.app.polygon.figure.PolygonPoint;
 import rasterlab.app.polygon.outcome.CutAnswer;
@@ -56,11 +56,11 @@ record CutPicture(
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
         var strokes = new FigureLines(g, map, colours);
         List<Cut> made = answer.cuts().subList(0, Math.min(step, answer.steps()));
         strokes.area(figure.corners(), colours.axis(), 40);
-        Color colour = PolygonColours.OWN.of(method);
+        Color colour = PolygonColors.OWN.of(method);
         boolean stepping = step > 0 && step <= answer.steps();
         for (int i = 0; i < made.size(); i++) {
             boolean now = stepping && i == made.size() - 1;
@@ -71,15 +71,15 @@ record CutPicture(
             strokes.dashed(
                     figure.corners().get(cut.a()),
                     figure.corners().get(cut.c()),
-                    edge(colours, PolygonColours.OWN.of(otherMethod)));
+                    edge(colours, PolygonColors.OWN.of(otherMethod)));
         strokes.outline(figure.corners(), colours.ink(), 2);
         if (stepping) paintStep(strokes, made.get(made.size() - 1), colours);
         for (Cut cut : made) if (cut.fault() != Fault.NONE) mark(g, map, cut);
         if (made.size() <= 30) number(strokes, made);
     }
 
-    private static Color edge(StageColours colours, Color colour) {
-        return MethodColours.edgeOn(colours.ground(), colour);
+    private static Color edge(StageColors colours, Color colour) {
+        return MethodColors.edgeOn(colours.ground(), colour);
     }
 
     private List<PolygonPoint> corners(Cut cut) {
@@ -87,7 +87,7 @@ record CutPicture(
         return List.of(corners.get(cut.a()), corners.get(cut.b()), corners.get(cut.c()));
     }
 
-    private void paintStep(FigureLines strokes, Cut cut, StageColours colours) {
+    private void paintStep(FigureLines strokes, Cut cut, StageColors colours) {
         List<PolygonPoint> corners = corners(cut);
         strokes.line(corners.get(0), corners.get(2), colours.focus(), 4);
     }

@@ -4,8 +4,8 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import rasterlab.app.canvas.PlaneMap;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.engine.raster.PixelMark;
 
 /** Draws a field: where a method says inside, and where another judge says otherwise. */
@@ -17,11 +17,11 @@ final class FieldPainter {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColours colours;
+    private final StageColors colours;
     private final ClassificationField field;
     private final double size;
 
-    FieldPainter(Graphics2D g, PlaneMap map, StageColours colours, ClassificationField field) {
+    FieldPainter(Graphics2D g, PlaneMap map, StageColors colours, ClassificationField field) {
         this.g = g;
         this.map = map;
         this.colours = colours;
@@ -31,8 +31,8 @@ final class FieldPainter {
 
     /** Paints where the first judge says inside, in that colour; where it refuses, in grey. */
     void paintInside(Color colour) {
-        Color light = MethodColours.mix(colours.ground(), colour, SHARE);
-        Color grey = MethodColours.mix(colours.ground(), colours.axis(), SHARE);
+        Color light = MethodColors.mix(colours.ground(), colour, SHARE);
+        Color grey = MethodColors.mix(colours.ground(), colours.axis(), SHARE);
         for (int row = 0; row < field.rows(); row++) {
             int column = 0;
             while (column < field.columns()) {
@@ -63,7 +63,7 @@ final class FieldPainter {
 
     private void mark(int column, int row, Color colour) {
         boolean extra = field.first(column, row);
-        if (size >= ROOMY && colour.equals(MethodColours.VERMILLION)) {
+        if (size >= ROOMY && colour.equals(MethodColors.VERMILLION)) {
             double wide = Math.min(size, 18);
             (extra ? PixelMark.EXTRA : PixelMark.MISSING)
                     .paint(

@@ -10,7 +10,7 @@ import java.awt.geom.Path2D;
 import java.util.List;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.polygon.figure.PolygonPoint;
 
 /** Lines of a figure on the stage. */
@@ -20,9 +20,9 @@ final class FigureLines {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColours colours;
+    private final StageColors colours;
 
-    FigureLines(Graphics2D g, PlaneMap map, StageColours colours) {
+    FigureLines(Graphics2D g, PlaneMap map, StageColors colours) {
         this.g = g;
         this.map = map;
         this.colours = colours;

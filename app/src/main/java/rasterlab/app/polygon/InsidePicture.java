@@ -13,8 +13,8 @@ import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.polygon.figure.CornerList;
@@ -65,24 +65,24 @@ record InsidePicture(
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
         var strokes = new FigureLines(g, map, colours);
         ClassificationField judged = field(g, map, cancelled);
         var field = new FieldPainter(g, map, colours, judged);
-        Color first = PolygonColours.OWN.of(method);
+        Color first = PolygonColors.OWN.of(method);
         field.paintInside(first);
         strokes.outline(figure.corners(), colours.ink(), 1.6f);
         boolean exact = other.isEmpty();
         field.paintDifferences(
-                exact ? MethodColours.VERMILLION : first,
-                exact ? MethodColours.VERMILLION : PolygonColours.OWN.of(other));
+                exact ? MethodColors.VERMILLION : first,
+                exact ? MethodColors.VERMILLION : PolygonColors.OWN.of(other));
         paintPoints(g, map, colours);
         if (step > 0 && step <= answer.steps()) paintStep(g, map, strokes, colours);
         count(g, judged, colours);
     }
 
     /** Writes how many of the points in sight are wrong, in a corner without buttons. */
-    private void count(Graphics2D g, ClassificationField field, StageColours colours) {
+    private void count(Graphics2D g, ClassificationField field, StageColors colours) {
         String said =
                 texts.text(
                         other.isEmpty() ? "field.wrong" : "field.differ",
@@ -122,7 +122,7 @@ record InsidePicture(
         return method.equals("sign-int");
     }
 
-    private void paintPoints(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintPoints(Graphics2D g, PlaneMap map, StageColors colours) {
         List<PolygonPoint> points = figure.points();
         for (int i = 0; i < points.size(); i++) {
             double x = map.viewX(points.get(i).x());
@@ -141,14 +141,13 @@ record InsidePicture(
         return !answer.pointwise() || point < step;
     }
 
-    private void paintStep(Graphics2D g, PlaneMap map, FigureLines strokes, StageColours colours) {
+    private void paintStep(Graphics2D g, PlaneMap map, FigureLines strokes, StageColors colours) {
         if (answer.pointwise()) paintAnswer(g, map, strokes, colours);
         else paintSide(strokes, colours);
     }
 
     /** Draws a ring round the point that the step is about, with what is said of it. */
-    private void paintAnswer(
-            Graphics2D g, PlaneMap map, FigureLines strokes, StageColours colours) {
+    private void paintAnswer(Graphics2D g, PlaneMap map, FigureLines strokes, StageColors colours) {
         PolygonPoint point = figure.points().get(step - 1);
         double x = map.viewX(point.x());
         double y = map.viewY(point.y());
@@ -160,7 +159,7 @@ record InsidePicture(
         strokes.words(said, point, 0, (int) RING);
     }
 
-    private void paintSide(FigureLines strokes, StageColours colours) {
+    private void paintSide(FigureLines strokes, StageColors colours) {
         InsideAnswer.AskedSide side = answer.sides().get(step - 1);
         PolygonPoint point = figure.points().get(0);
         PolygonPoint from = figure.corners().get(side.from());

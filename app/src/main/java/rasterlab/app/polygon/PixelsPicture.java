@@ -14,8 +14,8 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.polygon.figure.BrushKind;
 import rasterlab.app.polygon.figure.FillFigure;
 import rasterlab.app.polygon.figure.PolygonFigure;
@@ -76,7 +76,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
         BufferedImage image = image(colours);
         var frame =
                 new Rectangle2D.Double(
@@ -112,21 +112,20 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
     }
 
     /** One pixel each; what is filled so far in the method's colour, by the figure's brush. */
-    private BufferedImage image(StageColours colours) {
+    private BufferedImage image(StageColors colours) {
         boolean fill = figure instanceof FillFigure;
         int width = fill ? ((FillFigure) figure).width() : ((SeedFigure) figure).width();
         int height = fill ? ((FillFigure) figure).height() : ((SeedFigure) figure).height();
         var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < height; y++)
             for (int x = 0; x < width; x++) image.setRGB(x, y, before(x, y, colours).getRGB());
-        Color colour = PolygonColours.OWN.of(method);
+        Color colour = PolygonColors.OWN.of(method);
         BrushKind kind = fill ? ((FillFigure) figure).brush() : BrushKind.SOLID;
         Brush brush =
                 kind.brush(colour.getRGB())
                         .over(
                                 Brush.solid(
-                                        MethodColours.mix(colours.ground(), colour, 0.12)
-                                                .getRGB()));
+                                        MethodColors.mix(colours.ground(), colour, 0.12).getRGB()));
         int runs = Math.min(step, answer.steps());
         for (int run = 0; run < runs; run++)
             for (int x = answer.runs().from(run); x < answer.runs().to(run); x++)
@@ -134,16 +133,15 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
         return image;
     }
 
-    private Color before(int x, int y, StageColours colours) {
+    private Color before(int x, int y, StageColors colours) {
         if (!(figure instanceof SeedFigure seed)) return colours.ground();
         char cell = seed.rows().get(y).charAt(x);
         if (cell == SeedFigure.FREE) return colours.ground();
         double share = cell == SeedFigure.WALL ? 0.75 : 0.3;
-        return MethodColours.mix(colours.ground(), colours.ink(), share);
+        return MethodColors.mix(colours.ground(), colours.ink(), share);
     }
 
-    private static void grid(
-            Graphics2D g, PlaneMap map, StageColours colours, BufferedImage image) {
+    private static void grid(Graphics2D g, PlaneMap map, StageColors colours, BufferedImage image) {
         Color line = colours.grid();
         g.setColor(new Color(line.getRed(), line.getGreen(), line.getBlue(), 150));
         double left = map.viewX(-0.5);
@@ -157,8 +155,8 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
     }
 
     /** Draws an edge around each run, so that every colour is seen on the ground. */
-    private void edges(Graphics2D g, PlaneMap map, StageColours colours) {
-        g.setColor(MethodColours.edgeOn(colours.ground(), PolygonColours.OWN.of(method)));
+    private void edges(Graphics2D g, PlaneMap map, StageColors colours) {
+        g.setColor(MethodColors.edgeOn(colours.ground(), PolygonColors.OWN.of(method)));
         g.setStroke(new BasicStroke(1));
         for (int run = 0; run < Math.min(step, answer.steps()); run++) g.draw(frame(map, run));
     }
@@ -180,7 +178,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
             Graphics2D g,
             PlaneMap map,
             FigureLines strokes,
-            StageColours colours,
+            StageColors colours,
             BufferedImage image) {
         int run = step - 1;
         int y = answer.runs().y(run);
@@ -224,7 +222,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
         if (!g.getClipBounds().intersects(left, top, size, size)) return;
         if (!exact || size < GRID) {
             String owner = mark == PixelMark.EXTRA ? method : wrong.second();
-            g.setColor(exact ? MethodColours.VERMILLION : PolygonColours.OWN.of(owner));
+            g.setColor(exact ? MethodColors.VERMILLION : PolygonColors.OWN.of(owner));
             g.fill(new Rectangle2D.Double(left, top, size, size));
         }
         double shown = Math.min(size, LARGEST_MARK);

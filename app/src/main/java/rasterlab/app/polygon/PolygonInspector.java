@@ -133,7 +133,7 @@ final class PolygonInspector {
             List<String> names = model.methods(each);
             method.put(
                     each,
-                    new MethodChooser("method", "", names, PolygonColours.OWN, model::chooseMethod)
+                    new MethodChooser("method", "", names, PolygonColors.OWN, model::chooseMethod)
                             .withOwn(shared));
             comparison.put(
                     each,
@@ -141,7 +141,7 @@ final class PolygonInspector {
                                     "comparison",
                                     texts.text("none"),
                                     names,
-                                    PolygonColours.OWN,
+                                    PolygonColors.OWN,
                                     model::compareWith)
                             .withOwn(shared));
             column.row("method", method.get(each));

@@ -76,7 +76,7 @@ public final class PolygonPanel extends LabPanel {
                                         () -> model.state().choice().scene().figure(),
                                         () -> model.state().choice().scene().method(),
                                         model::chooseMethod,
-                                        PolygonColours.OWN));
+                                        PolygonColors.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -51,7 +51,7 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
         return new TopicCard<>(
                 mode.topic(),
                 this,
-                PolygonColours.OWN,
+                PolygonColors.OWN,
                 TopicWay.<PolygonLabModel>inTurn(
                                 PolygonLabModel::history,
                                 (lab, input) -> lab.showInput(mode, input),

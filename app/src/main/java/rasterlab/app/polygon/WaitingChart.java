@@ -13,8 +13,8 @@ import java.awt.geom.Path2D;
 import javax.accessibility.AccessibleRole;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Texts;
 import rasterlab.app.polygon.outcome.Runs;
 
@@ -38,7 +38,7 @@ final class WaitingChart extends SelfDrawn {
      */
     void show(Runs shown, String method, int present) {
         runs = shown;
-        colour = PolygonColours.OWN.of(method);
+        colour = PolygonColors.OWN.of(method);
         step = Math.min(present, shown.size());
         getAccessibleContext()
                 .setAccessibleName(texts.text("waiting.most", runs.mostWaiting(), runs.size()));
@@ -57,7 +57,7 @@ final class WaitingChart extends SelfDrawn {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         g.setColor(colours.ground());
         g.fillRect(0, 0, getWidth() - 1, getHeight() - 1);
         g.setFont(UIManager.getFont("small.font"));
@@ -72,7 +72,7 @@ final class WaitingChart extends SelfDrawn {
         g.dispose();
     }
 
-    private void paintCurve(Graphics2D g, int top, StageColours colours) {
+    private void paintCurve(Graphics2D g, int top, StageColors colours) {
         if (runs.size() == 0) return;
         double height = getHeight() - top - 5;
         double most = Math.max(1, runs.mostWaiting());
@@ -90,9 +90,9 @@ final class WaitingChart extends SelfDrawn {
             curve.lineTo(2 + column, bottom - height * waiting / most);
         }
         curve.lineTo(1 + wide, bottom);
-        g.setColor(MethodColours.mix(colours.ground(), colour, 0.35));
+        g.setColor(MethodColors.mix(colours.ground(), colour, 0.35));
         g.fill(curve);
-        g.setColor(MethodColours.edgeOn(colours.ground(), colour));
+        g.setColor(MethodColors.edgeOn(colours.ground(), colour));
         g.setStroke(new BasicStroke(1.4f));
         g.draw(curve);
         double x = 1 + (double) wide * step / runs.size();

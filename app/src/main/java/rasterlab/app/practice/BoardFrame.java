@@ -14,7 +14,7 @@ import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlaneRulers;
 import rasterlab.app.canvas.Rulers;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.app.practice.Board.Cell;
 import rasterlab.app.practice.Board.Dot;
@@ -95,11 +95,11 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
     }
 
     private Rulers rulers(Font font) {
-        return new Rulers(grid(), view, StageColours.now(), font);
+        return new Rulers(grid(), view, StageColors.now(), font);
     }
 
     private PlaneRulers planeRulers(Font font, Locale locale) {
-        return new PlaneRulers(map, view, StageColours.now(), font, locale, 0);
+        return new PlaneRulers(map, view, StageColors.now(), font, locale, 0);
     }
 
     /** The pixel there. */

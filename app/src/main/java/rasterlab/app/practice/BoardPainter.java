@@ -11,8 +11,8 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.PlaneMap;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Texts;
 import rasterlab.app.practice.Board.Cell;
 import rasterlab.app.practice.Board.Dot;
@@ -29,10 +29,10 @@ final class BoardPainter {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColours colours;
+    private final StageColors colours;
     private final Texts texts;
 
-    BoardPainter(Graphics2D g, PlaneMap map, StageColours colours, Texts texts) {
+    BoardPainter(Graphics2D g, PlaneMap map, StageColors colours, Texts texts) {
         this.g = g;
         this.map = map;
         this.colours = colours;
@@ -50,10 +50,10 @@ final class BoardPainter {
         return switch (look) {
             case GIVEN -> colours.ink();
             case WALL -> colours.axis();
-            case DONE -> MethodColours.SKY_BLUE;
-            case NEWEST -> MethodColours.ORANGE;
-            case ASKED -> MethodColours.BLUE;
-            case WRONG -> MethodColours.VERMILLION;
+            case DONE -> MethodColors.SKY_BLUE;
+            case NEWEST -> MethodColors.ORANGE;
+            case ASKED -> MethodColors.BLUE;
+            case WRONG -> MethodColors.VERMILLION;
         };
     }
 
@@ -71,13 +71,13 @@ final class BoardPainter {
             g.setColor(colour);
             g.fill(square);
         }
-        g.setColor(MethodColours.edgeOn(colours.ground(), colour));
+        g.setColor(MethodColors.edgeOn(colours.ground(), colour));
         g.setStroke(new BasicStroke(THIN));
         g.draw(square);
         if (cell.look() == Look.WRONG) cross(square);
         if (cell.look() == Look.NEWEST) {
             double size = map.scaleX() / 4;
-            g.setColor(MethodColours.inkOn(colour));
+            g.setColor(MethodColors.inkOn(colour));
             g.fill(
                     new Ellipse2D.Double(
                             square.getCenterX() - size / 2,
@@ -88,7 +88,7 @@ final class BoardPainter {
     }
 
     private void cross(Rectangle2D in) {
-        g.setColor(MethodColours.lineOn(colours.ground(), MethodColours.VERMILLION));
+        g.setColor(MethodColors.lineOn(colours.ground(), MethodColors.VERMILLION));
         g.setStroke(new BasicStroke(THICK));
         double pad = in.getWidth() / 5;
         double left = in.getMinX() + pad;
@@ -104,7 +104,7 @@ final class BoardPainter {
             if (shape.getCurrentPoint() == null) shape.moveTo(viewX(point), viewY(point));
             else shape.lineTo(viewX(point), viewY(point));
         if (path.closed()) shape.closePath();
-        g.setColor(MethodColours.lineOn(colours.ground(), colour(path.look())));
+        g.setColor(MethodColors.lineOn(colours.ground(), colour(path.look())));
         g.setStroke(stroke(path.look()));
         g.draw(shape);
     }
@@ -138,7 +138,7 @@ final class BoardPainter {
                             large,
                             large));
         } else {
-            g.setColor(MethodColours.lineOn(colours.ground(), colour(dot.look())));
+            g.setColor(MethodColors.lineOn(colours.ground(), colour(dot.look())));
             g.fill(new Ellipse2D.Double(box.getX(), box.getY(), size, size));
         }
         if (!dot.label().isEmpty()) label(dot, size);

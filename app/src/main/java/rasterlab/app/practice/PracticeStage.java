@@ -26,7 +26,7 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.ReadOut;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.canvas.Zooming;
 import rasterlab.app.language.Texts;
@@ -193,7 +193,7 @@ final class PracticeStage extends SelfDrawn {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -205,7 +205,7 @@ final class PracticeStage extends SelfDrawn {
         g.dispose();
     }
 
-    private void paint(Graphics2D g, BoardFrame frame, Board shown, StageColours colours) {
+    private void paint(Graphics2D g, BoardFrame frame, Board shown, StageColors colours) {
         Font type = PictureType.in(getSize());
         frame.paintGrid(g, type, texts.locale());
         g.setFont(type);

@@ -8,7 +8,7 @@ import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Predicting.Asked;
@@ -33,8 +33,8 @@ final class VerdictPane extends JPanel {
 
     /** Shows the verdict on an answer, with the method's own reason. */
     void show(Answered last, String topic) {
-        Color own = last.right() ? MethodColours.GREEN : MethodColours.VERMILLION;
-        verdict.setForeground(MethodColours.textOn(getBackground(), own));
+        Color own = last.right() ? MethodColors.GREEN : MethodColors.VERMILLION;
+        verdict.setForeground(MethodColors.textOn(getBackground(), own));
         verdict.setText(texts.text(last.right() ? "right" : "wrong"));
         String language = texts.locale().getLanguage();
         String said = last.question().said(last.answer()).in(language);

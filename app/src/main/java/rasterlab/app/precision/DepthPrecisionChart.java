@@ -20,7 +20,7 @@ import rasterlab.app.chart.MethodLook;
 import rasterlab.app.chart.PowersOfTen;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.row.RowColours;
+import rasterlab.app.row.RowColors;
 import rasterlab.engine.visibility.depth.DepthPrecision;
 import rasterlab.engine.visibility.depth.DepthPrecision.Sample;
 
@@ -97,7 +97,7 @@ public final class DepthPrecisionChart {
         paper.style(chart.getStyler(), texts.locale());
         style(chart.getStyler());
         chart.addAnnotation(new PrecisionNotes(texts, paper, LOWEST, HIGHEST));
-        Map<String, MethodLook> looks = MethodLook.of(DepthPrecision.FORMATS, RowColours.OWN);
+        Map<String, MethodLook> looks = MethodLook.of(DepthPrecision.FORMATS, RowColors.OWN);
         List<Sample> lines = DepthPrecision.samples(LINE_PER_DECADE);
         List<Sample> marks = DepthPrecision.samples(MARKS_PER_DECADE);
         looks.forEach((format, look) -> line(chart, look.on(paper), of(format, lines)));

@@ -4,7 +4,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import org.knowm.xchart.internal.chartpart.Annotation;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Texts;
 
@@ -36,7 +36,7 @@ final class PrecisionNotes extends Annotation {
         int x = getXAxisScreenValueForMin();
         int highest = getYAxisScreenValue(top);
         int whole = getYAxisScreenValue(1);
-        Color band = MethodColours.VERMILLION;
+        Color band = MethodColors.VERMILLION;
         graphics.setColor(new Color(band.getRed(), band.getGreen(), band.getBlue(), 30));
         graphics.fillRect(x, highest, getXAxisScreenValueForMax() - x, whole - highest);
         graphics.setFont(FONT);

@@ -7,7 +7,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.engine.raster.PixelMark;
 
 /**
@@ -89,7 +89,7 @@ final class FootprintPainter {
             }
         outline(part, left - scale * from[0], top + size + scale * from[1], scale);
         part.dispose();
-        g.setColor(StageColours.now().axis());
+        g.setColor(StageColors.now().axis());
         g.setStroke(new BasicStroke(1));
         g.drawRect(left, top, size, size);
     }

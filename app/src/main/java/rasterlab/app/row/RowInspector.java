@@ -76,7 +76,7 @@ final class RowInspector {
     private MethodChooser methods(String topic) {
         List<String> names = model.methods(topic).stream().map(Method::name).toList();
         var chooser =
-                new MethodChooser("method", "", names, RowColours.OWN, model::chooseMethod)
+                new MethodChooser("method", "", names, RowColors.OWN, model::chooseMethod)
                         .withOwn(Texts.of("canvas", texts.language()));
         column.row("method", chooser);
         return chooser;

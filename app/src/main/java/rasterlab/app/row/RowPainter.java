@@ -9,9 +9,9 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.Wrapping;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.language.Texts;
@@ -34,7 +34,7 @@ final class RowPainter {
     private final Texts texts;
     private final RowChoice choice;
     private final RowScene scene;
-    private final StageColours colours = StageColours.now();
+    private final StageColors colours = StageColors.now();
     private final FontMetrics metrics;
     private final RowPlan plan;
     private final double wide;
@@ -146,7 +146,7 @@ final class RowPainter {
             String words = band.words().apply(from);
             if (i < scene.pixels() && band.words().apply(i).equals(words)) continue;
             int width = metrics.stringWidth(words);
-            g.setColor(MethodColours.inkOn(new Color(band.argb()[from])));
+            g.setColor(MethodColors.inkOn(new Color(band.argb()[from])));
             if (x(i) - x(from) > 2 * width)
                 g.drawString(words, (int) (x(from) + x(i) - width) / 2, base);
             from = i;
@@ -218,7 +218,7 @@ final class RowPainter {
         int y = say(errorWords(), top);
         g.setColor(colours.margin());
         g.fillRect(MARGIN, y, (int) wide, high);
-        g.setColor(MethodColours.edgeOn(colours.margin(), RowColours.OWN.of(choice.method())));
+        g.setColor(MethodColors.edgeOn(colours.margin(), RowColors.OWN.of(choice.method())));
         var area = new Path2D.Double();
         area.moveTo(MARGIN, y + high);
         for (int i = 0; i < scene.pixels(); i++) {

@@ -94,7 +94,7 @@ public final class RowPanel extends LabCard {
                 () -> List.of(model.choice().topic(), model.choice().hazard()),
                 () -> model.choice().method(),
                 model::chooseMethod,
-                RowColours.OWN);
+                RowColors.OWN);
     }
 
     @Override

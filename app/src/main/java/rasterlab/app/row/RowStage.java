@@ -10,7 +10,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.work.Settling;
@@ -58,7 +58,7 @@ final class RowStage extends SelfDrawn implements Settling {
     }
 
     private void paintAll(Graphics2D g) {
-        g.setColor(StageColours.now().ground());
+        g.setColor(StageColors.now().ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         model.shown()
                 .ifPresent(

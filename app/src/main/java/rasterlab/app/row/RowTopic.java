@@ -15,7 +15,7 @@ public final class RowTopic {
      */
     public static <M> TopicCard<M> card(
             LabRoom<M> lab, String topic, Function<M, RowLabModel> rows) {
-        return new TopicCard<>(topic, lab, RowColours.OWN, way(topic, rows));
+        return new TopicCard<>(topic, lab, RowColors.OWN, way(topic, rows));
     }
 
     private static <M> TopicWay<M> way(String topic, Function<M, RowLabModel> rows) {

@@ -5,7 +5,7 @@ import com.formdev.flatlaf.icons.FlatAbstractIcon;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics2D;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 
 /** The product's sign: a segment of four pixels on a 4×4 grid. */
 final class BrandIcon extends FlatAbstractIcon {
@@ -18,8 +18,8 @@ final class BrandIcon extends FlatAbstractIcon {
     @Override
     protected void paintIcon(Component c, Graphics2D g) {
         boolean dark = FlatLaf.isLafDark();
-        Color line = dark ? MethodColours.SKY_BLUE : MethodColours.BLUE;
-        Color grid = dark ? Color.LIGHT_GRAY : MethodColours.SKY_BLUE;
+        Color line = dark ? MethodColors.SKY_BLUE : MethodColors.BLUE;
+        Color grid = dark ? Color.LIGHT_GRAY : MethodColors.SKY_BLUE;
         for (int x = 0; x < 4; x++) {
             for (int y = 0; y < 4; y++) {
                 boolean lit = ROWS[x] == y;

@@ -2,7 +2,7 @@ package rasterlab.app.signmap;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.engine.signmap.SignMap;
 
@@ -29,9 +29,9 @@ final class SignPainter {
     SignPainter(ChartLook look) {
         this.look = look;
         boolean paper = look.ground().equals(Color.WHITE);
-        plus = MethodColours.mix(look.ground(), MethodColours.BLUE, paper ? PLUS : PLUS_ON_DARK);
-        zero = MethodColours.mix(look.ground(), MethodColours.YELLOW, ZERO);
-        minus = MethodColours.mix(look.ground(), MethodColours.GREY, MINUS);
+        plus = MethodColors.mix(look.ground(), MethodColors.BLUE, paper ? PLUS : PLUS_ON_DARK);
+        zero = MethodColors.mix(look.ground(), MethodColors.YELLOW, ZERO);
+        minus = MethodColors.mix(look.ground(), MethodColors.GREY, MINUS);
     }
 
     /** The meaning of a dot of the picture. */
@@ -64,7 +64,7 @@ final class SignPainter {
         Color own = colour(dot(map, answer), x, y);
         if (!map.wrong(column, row)) return own;
         Dot wrong = answer > map.exact(column, row) ? Dot.EXTRA : Dot.MISSING;
-        return striped(wrong, x, y) ? MethodColours.VERMILLION : own;
+        return striped(wrong, x, y) ? MethodColors.VERMILLION : own;
     }
 
     private static Dot dot(SignMap map, int answer) {
@@ -78,9 +78,8 @@ final class SignPainter {
             case PLUS -> plus;
             case ZERO -> zero;
             case MINUS -> minus;
-            case EXTRA, MISSING -> striped(dot, x, y) ? MethodColours.VERMILLION : look.ground();
-            case NONE ->
-                    x % PERIOD < 2 && y % PERIOD < 2 ? MethodColours.VERMILLION : look.ground();
+            case EXTRA, MISSING -> striped(dot, x, y) ? MethodColors.VERMILLION : look.ground();
+            case NONE -> x % PERIOD < 2 && y % PERIOD < 2 ? MethodColors.VERMILLION : look.ground();
         };
     }
 

@@ -17,7 +17,7 @@ import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import rasterlab.app.canvas.KeyBinding;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.work.Background;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
@@ -49,7 +49,7 @@ public final class SignWindow extends JDialog {
         pack();
         setLocationRelativeTo(owner);
         sheet.requestFocusInWindow();
-        var look = ChartLook.on(StageColours.now());
+        var look = ChartLook.on(StageColors.now());
         work.begin(
                 told -> {
                     List<SignMap> maps = subject.methods().stream().map(subject::map).toList();

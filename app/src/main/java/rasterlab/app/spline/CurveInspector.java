@@ -89,7 +89,7 @@ final class CurveInspector {
         joining = joining();
         Texts shared = Texts.of("canvas", texts.language());
         method =
-                new MethodChooser("method", "", names, SplineColours.OWN, model::chooseMethod)
+                new MethodChooser("method", "", names, SplineColors.OWN, model::chooseMethod)
                         .withOwn(shared);
         column.row("method", method);
         comparison =
@@ -97,7 +97,7 @@ final class CurveInspector {
                                 "comparison",
                                 texts.text("none"),
                                 names,
-                                SplineColours.OWN,
+                                SplineColors.OWN,
                                 model::compareWith)
                         .withOwn(shared);
         column.row("comparison", comparison);

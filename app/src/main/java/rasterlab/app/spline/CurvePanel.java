@@ -83,7 +83,7 @@ final class CurvePanel extends LabPanel {
                                         this::input,
                                         () -> model.state().choice().method(),
                                         model::chooseMethod,
-                                        SplineColours.OWN));
+                                        SplineColors.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -19,8 +19,8 @@ import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.spline.curve.CurvatureComb;
 import rasterlab.app.spline.curve.CurveAt;
 import rasterlab.app.spline.curve.Joint;
@@ -57,7 +57,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
         CurveOverlays overlays = drawings.choice().overlays();
         if (overlays.hull()) paintHull(g, map, colours);
         paintPolygon(g, map, colours);
@@ -84,7 +84,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
     }
 
     /** Paints the hull around the Bézier points of the span that t lies in. */
-    private void paintHull(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintHull(Graphics2D g, PlaneMap map, StageColors colours) {
         PointStep points = at.construction().get(0);
         var hull = new Path2D.Double();
         for (int corner : ControlHull.of(points.x(), points.y()))
@@ -97,7 +97,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         g.draw(hull);
     }
 
-    private void paintPolygon(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintPolygon(Graphics2D g, PlaneMap map, StageColors colours) {
         g.setColor(colours.axis());
         g.setStroke(DASHED);
         Path2D polygon = polygon(map);
@@ -118,8 +118,8 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         return polygon;
     }
 
-    private void paintComb(Graphics2D g, PlaneMap map, StageColours colours) {
-        Color colour = MethodColours.edgeOn(colours.ground(), MethodColours.PURPLE);
+    private void paintComb(Graphics2D g, PlaneMap map, StageColors colours) {
+        Color colour = MethodColors.edgeOn(colours.ground(), MethodColors.PURPLE);
         var teeth = new Path2D.Double();
         var edge = new Path2D.Double();
         for (CurvatureComb.Tooth tooth : drawings.comb().teeth()) {
@@ -139,25 +139,23 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
 
     /** Paints it pale as a whole, in full colour as far as the steps have come. */
     private void paintPolyline(
-            Graphics2D g, PlaneMap map, StageColours colours, CurveDrawing drawing) {
+            Graphics2D g, PlaneMap map, StageColors colours, CurveDrawing drawing) {
         List<CurveDrawing.Corner> corners = drawing.points();
-        Color colour = SplineColours.OWN.of(drawing.method());
+        Color colour = SplineColors.OWN.of(drawing.method());
         g.setStroke(THICK);
-        g.setColor(MethodColours.mix(colour, colours.ground(), 0.55));
+        g.setColor(MethodColors.mix(colour, colours.ground(), 0.55));
         g.draw(path(corners, map));
         g.setColor(colour);
         g.draw(path(corners.subList(0, Math.min(step + 1, corners.size())), map));
         if (corners.size() > MOST_CORNERS) return;
         for (int i = 0; i < corners.size(); i++) {
-            Color fill = i <= step ? colour : MethodColours.mix(colour, colours.ground(), 0.55);
+            Color fill = i <= step ? colour : MethodColors.mix(colour, colours.ground(), 0.55);
             dot(g, map, corners.get(i).x(), corners.get(i).y(), 4, fill, colours);
         }
     }
 
-    private void paintOther(
-            Graphics2D g, PlaneMap map, StageColours colours, CurveDrawing drawing) {
-        Color colour =
-                MethodColours.edgeOn(colours.ground(), SplineColours.OWN.of(drawing.method()));
+    private void paintOther(Graphics2D g, PlaneMap map, StageColors colours, CurveDrawing drawing) {
+        Color colour = MethodColors.edgeOn(colours.ground(), SplineColors.OWN.of(drawing.method()));
         g.setStroke(stroke(2.5f));
         g.setColor(colour);
         g.draw(path(drawing.points(), map));
@@ -171,7 +169,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         }
     }
 
-    private void paintExact(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintExact(Graphics2D g, PlaneMap map, StageColors colours) {
         g.setColor(colours.ink());
         g.setStroke(EXACT);
         for (Polyline curve : drawings.exact()) {
@@ -188,14 +186,14 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
     }
 
     /** Paints De Casteljau's triangle, each row darker than the one above. */
-    private void paintConstruction(Graphics2D g, PlaneMap map, StageColours colours) {
-        Color colour = MethodColours.edgeOn(colours.ground(), MethodColours.GREEN);
+    private void paintConstruction(Graphics2D g, PlaneMap map, StageColors colours) {
+        Color colour = MethodColors.edgeOn(colours.ground(), MethodColors.GREEN);
         List<PointStep> rows = at.construction();
         for (int row = 0; row < rows.size() - 1; row++) {
             PointStep points = rows.get(row);
             double share =
                     rows.size() <= 2 ? 0 : 0.45 * (rows.size() - 2 - row) / (rows.size() - 2);
-            Color shade = MethodColours.mix(colour, colours.ground(), share);
+            Color shade = MethodColors.mix(colour, colours.ground(), share);
             var path = new Path2D.Double();
             for (int i = 0; i < points.x().length; i++)
                 to(path, map.viewX(points.x()[i]), map.viewY(points.y()[i]));
@@ -208,14 +206,14 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         }
     }
 
-    private void paintPoint(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintPoint(Graphics2D g, PlaneMap map, StageColors colours) {
         double x = at.place().x();
         double y = at.place().y();
-        dot(g, map, x, y, 6, MethodColours.VERMILLION, colours);
+        dot(g, map, x, y, 6, MethodColors.VERMILLION, colours);
     }
 
     /** Draws beside the joints what they are. */
-    private void paintJoints(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintJoints(Graphics2D g, PlaneMap map, StageColors colours) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         FontMetrics metrics = g.getFontMetrics();
         for (Joint joint : drawings.joints()) {
@@ -261,7 +259,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
             double y,
             double radius,
             Color fill,
-            StageColours colours) {
+            StageColors colours) {
         double left = map.viewX(x) - radius;
         double top = map.viewY(y) - radius;
         Shape dot = new Ellipse2D.Double(left, top, 2 * radius, 2 * radius);

@@ -53,7 +53,7 @@ final class FunctionInspector {
         List<String> names = model.methods().stream().map(Method::name).toList();
         Texts shared = Texts.of("canvas", texts.language());
         method =
-                new MethodChooser("method", "", names, SplineColours.OWN, model::chooseMethod)
+                new MethodChooser("method", "", names, SplineColors.OWN, model::chooseMethod)
                         .withOwn(shared);
         column.row("method", method);
         comparison =
@@ -61,7 +61,7 @@ final class FunctionInspector {
                                 "comparison",
                                 texts.text("none"),
                                 names,
-                                SplineColours.OWN,
+                                SplineColors.OWN,
                                 model::compareWith)
                         .withOwn(shared);
         column.row("comparison", comparison);

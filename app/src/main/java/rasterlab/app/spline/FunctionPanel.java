@@ -76,7 +76,7 @@ final class FunctionPanel extends LabPanel {
                                         this::input,
                                         () -> model.state().choice().method(),
                                         model::chooseMethod,
-                                        SplineColours.OWN));
+                                        SplineColors.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

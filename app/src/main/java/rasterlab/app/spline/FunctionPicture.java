@@ -21,8 +21,8 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.spline.function.Overshoot;
 
@@ -59,7 +59,7 @@ record FunctionPicture(
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
         paintKnotColumns(g, map, colours);
         paintStep(g, map, colours);
         paintOvershoots(g, map, drawings.drawing());
@@ -79,7 +79,7 @@ record FunctionPicture(
         return lines;
     }
 
-    private void paintKnotColumns(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintKnotColumns(Graphics2D g, PlaneMap map, StageColors colours) {
         g.setColor(colours.axis());
         g.setStroke(dashed());
         for (Place knot : drawings.choice().knots()) {
@@ -94,7 +94,7 @@ record FunctionPicture(
     }
 
     /** Paints a band behind the knot or the piece that the last step dealt with. */
-    private void paintStep(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintStep(Graphics2D g, PlaneMap map, StageColors colours) {
         List<Place> knots = drawings.choice().knots();
         if (taken.isEmpty()) return;
         FunctionDrawing.Step step = taken.get();
@@ -111,14 +111,10 @@ record FunctionPicture(
     }
 
     private static void paintGraph(
-            Graphics2D g,
-            PlaneMap map,
-            StageColours colours,
-            FunctionDrawing drawing,
-            float width) {
+            Graphics2D g, PlaneMap map, StageColors colours, FunctionDrawing drawing, float width) {
         Path2D path = path(map, drawing);
         if (path.getCurrentPoint() == null) return;
-        g.setColor(MethodColours.edgeOn(colours.ground(), SplineColours.OWN.of(drawing.method())));
+        g.setColor(MethodColors.edgeOn(colours.ground(), SplineColors.OWN.of(drawing.method())));
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(path);
     }
@@ -131,7 +127,7 @@ record FunctionPicture(
 
     /** Paints the area between the graph and the knot's value that it passes. */
     private static void paintOvershoots(Graphics2D g, PlaneMap map, FunctionDrawing drawing) {
-        Color wrong = MethodColours.VERMILLION;
+        Color wrong = MethodColors.VERMILLION;
         g.setColor(new Color(wrong.getRed(), wrong.getGreen(), wrong.getBlue(), 120));
         for (Overshoot each : drawing.overshoots()) {
             boolean above = each.y() > each.beyond();
@@ -152,7 +148,7 @@ record FunctionPicture(
 
     /** Draws a pointer at the farthest place outside, with how far that is. */
     private void nameOvershoots(
-            Graphics2D g, PlaneMap map, StageColours colours, FunctionDrawing drawing) {
+            Graphics2D g, PlaneMap map, StageColors colours, FunctionDrawing drawing) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         var plates = new PointedPlates(g, colours, labels);
         for (Overshoot each : drawing.overshoots()) {
@@ -166,7 +162,7 @@ record FunctionPicture(
             pointer.lineTo(x - size, y + away * 3);
             pointer.lineTo(x + size, y + away * 3);
             pointer.closePath();
-            g.setColor(MethodColours.VERMILLION);
+            g.setColor(MethodColors.VERMILLION);
             g.fill(pointer);
             double share = each.by() / Math.max(1e-300, drawing.worstOvershoot());
             if (share < 0.3) continue;
@@ -184,11 +180,11 @@ record FunctionPicture(
         private static final int APART = 5;
 
         private final Graphics2D g;
-        private final StageColours colours;
+        private final StageColors colours;
         private final FontMetrics metrics;
         private final List<Rectangle> taken;
 
-        PointedPlates(Graphics2D g, StageColours colours, List<Rectangle> labels) {
+        PointedPlates(Graphics2D g, StageColors colours, List<Rectangle> labels) {
             this.g = g;
             this.colours = colours;
             metrics = g.getFontMetrics();
@@ -213,7 +209,7 @@ record FunctionPicture(
         }
     }
 
-    private void paintSlopes(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintSlopes(Graphics2D g, PlaneMap map, StageColors colours) {
         g.setColor(colours.ink());
         g.setStroke(new BasicStroke(1.6f));
         for (int i = 0; i + 1 < slopes.size(); i += 2)
@@ -228,7 +224,7 @@ record FunctionPicture(
     /**
      * Paints a cross at each wrong answer; at the newest answer a dot, and a ring where it belongs.
      */
-    private void paintAnswers(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintAnswers(Graphics2D g, PlaneMap map, StageColors colours) {
         for (FunctionDrawing.Answer each : answers)
             if (each.wrong()) mark(g, map, PixelMark.EXTRA, each.x(), each.value());
         if (answers.isEmpty()) return;
@@ -250,7 +246,7 @@ record FunctionPicture(
 
     /** Paints the point at which the function is read, and its tangent. */
     private static void paintReading(
-            Graphics2D g, PlaneMap map, StageColours colours, FunctionAt place) {
+            Graphics2D g, PlaneMap map, StageColors colours, FunctionAt place) {
         double x = map.viewX(place.x());
         double y = map.viewY(place.y());
         double run = map.scaleX();
@@ -262,7 +258,7 @@ record FunctionPicture(
         g.setStroke(new BasicStroke(1.4f));
         g.draw(new Line2D.Double(x - dx, y - dy, x + dx, y + dy));
         var dot = new Ellipse2D.Double(x - 5.5, y - 5.5, 11, 11);
-        g.setColor(MethodColours.VERMILLION);
+        g.setColor(MethodColors.VERMILLION);
         g.fill(dot);
         g.setColor(colours.ink());
         g.draw(dot);

@@ -103,7 +103,7 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
     }
 
     private TopicCard<SplineLabModel> card(String topic, TopicWay<SplineLabModel> way) {
-        return new TopicCard<>(topic, this, SplineColours.OWN, way);
+        return new TopicCard<>(topic, this, SplineColors.OWN, way);
     }
 
     @Override

@@ -24,7 +24,7 @@ import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.canvas.method.SecondaryText;
 import rasterlab.app.canvas.work.LatestOnly;
@@ -53,7 +53,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
      * @param dots of the picture for each unit
      */
     private record Asked(
-            Study study, String level, int width, int height, double dots, StageColours colours) {}
+            Study study, String level, int width, int height, double dots, StageColors colours) {}
 
     private record Painted(Asked asked, BufferedImage image, List<FrontChart.Spot> spots) {}
 
@@ -166,7 +166,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                 (int) Math.round(getWidth() / type),
                 (int) Math.round(getHeight() / type),
                 Math.max(1, type),
-                StageColours.now());
+                StageColors.now());
     }
 
     /**
@@ -224,12 +224,12 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setColor(StageColours.now().ground());
+        g.setColor(StageColors.now().ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         if (painted.isPresent()) paint(g, painted.get());
         else paintHint(g);
         g.setColor(UIManager.getColor("Component.borderColor"));
-        if (showsFocus()) g.setColor(StageColours.now().focus());
+        if (showsFocus()) g.setColor(StageColors.now().focus());
         g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
         g.dispose();
     }
@@ -240,7 +240,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         inChart.scale(
                 (double) getWidth() / chart.asked().width(),
                 (double) getHeight() / chart.asked().height());
-        inChart.setColor(StageColours.now().ink());
+        inChart.setColor(StageColors.now().ink());
         inChart.setStroke(new BasicStroke(2));
         Optional<String> marked = model.state().point().map(Measurement::method);
         for (FrontChart.Spot spot : chart.spots())
@@ -251,7 +251,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
 
     private void paintHint(Graphics2D g) {
         g.setFont(UIManager.getFont("Label.font").deriveFont(UIScale.scale(16f)));
-        g.setColor(SecondaryText.on(StageColours.now().ground()));
+        g.setColor(SecondaryText.on(StageColors.now().ground()));
         FontMetrics metrics = g.getFontMetrics();
         String key = model.state().work().running() ? "hint.measuring" : "hint.measure";
         List<String> lines =

@@ -1,17 +1,17 @@
 package rasterlab.app.study;
 
 import java.awt.Color;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.engine.study.Verdict;
 
 /** A verdict as one sign and a colour, which say the same. */
 enum VerdictSign {
-    EXACT("✓", MethodColours.GREEN),
-    DEGRADED("≈", MethodColours.ORANGE),
-    WRONG("✗", MethodColours.VERMILLION),
-    REFUSED("⊘", MethodColours.GREY),
-    ENDLESS("∞", MethodColours.PURPLE),
-    CRASHED("†", MethodColours.PURPLE);
+    EXACT("✓", MethodColors.GREEN),
+    DEGRADED("≈", MethodColors.ORANGE),
+    WRONG("✗", MethodColors.VERMILLION),
+    REFUSED("⊘", MethodColors.GREY),
+    ENDLESS("∞", MethodColors.PURPLE),
+    CRASHED("†", MethodColors.PURPLE);
 
     private final String sign;
     private final Color colour;
@@ -30,6 +30,6 @@ enum VerdictSign {
     }
 
     Color ink(Color ground) {
-        return MethodColours.textOn(ground, colour);
+        return MethodColors.textOn(ground, colour);
     }
 }

@@ -8,7 +8,7 @@ import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.ChartSize;
@@ -23,7 +23,7 @@ import rasterlab.app.visibility.scene.StageView;
  */
 final class ChartStudies implements AutoCloseable {
     /** A chart in a language and size, on a stage in those colours. */
-    record Question(StageView view, Language language, StageColours colours, ChartSize size) {
+    record Question(StageView view, Language language, StageColors colours, ChartSize size) {
         /** Whether a chart of the one serves for the other until that is made. */
         boolean isLike(Question other) {
             return other.equals(new Question(view, language, colours, other.size));

@@ -45,7 +45,7 @@ public final class GrowthChart {
     private static final float DASH = 9;
 
     private final List<String> methods = Growth.methodNames();
-    private final Map<String, MethodLook> looks = MethodLook.of(methods, VisibilityColours.OWN);
+    private final Map<String, MethodLook> looks = MethodLook.of(methods, VisibilityColors.OWN);
 
     /** The counts; empty until they are asked for, as that takes some seconds. */
     private List<Growth> growths;

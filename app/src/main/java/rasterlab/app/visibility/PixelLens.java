@@ -9,7 +9,7 @@ import java.awt.RenderingHints;
 import java.util.Optional;
 import javax.accessibility.AccessibleRole;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.Raster;
 
@@ -69,9 +69,9 @@ final class PixelLens extends SelfDrawn {
                 if (compared.isPresent() && compared.get().exact().contains(x, y))
                     mark(g, compared.get().at(x, y), left + i * side, j * side, side);
             }
-        g.setColor(StageColours.now().ground());
+        g.setColor(StageColors.now().ground());
         g.drawRect(left + columns / 2 * side - 1, ROWS / 2 * side - 1, side + 1, side + 1);
-        g.setColor(StageColours.now().focus());
+        g.setColor(StageColors.now().focus());
         g.drawRect(left + columns / 2 * side, ROWS / 2 * side, side - 1, side - 1);
     }
 

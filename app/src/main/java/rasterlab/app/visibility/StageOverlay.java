@@ -12,8 +12,8 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Language;
 import rasterlab.engine.visibility.FaceOutlines;
@@ -49,10 +49,10 @@ final class StageOverlay {
     /** Writes the name of the method, on a plate of its colour. */
     void name(String method, Language language) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
-        Color colour = VisibilityColours.OWN.of(method);
+        Color colour = VisibilityColors.OWN.of(method);
         int y = g.getFontMetrics().getAscent() + 8;
         String called = OwnWords.called(method, language);
-        Plates.plate(g, called, 12, y, colour, MethodColours.inkOn(colour));
+        Plates.plate(g, called, 12, y, colour, MethodColors.inkOn(colour));
     }
 
     /** Draws all cuts up to a step, and the face or the pixels that it was about. */
@@ -62,7 +62,7 @@ final class StageOverlay {
         drawn.pieces().entrySet().stream()
                 .filter(piece -> piece.getKey() < steps.size() - 1)
                 .limit(MOST_CUTS)
-                .forEach(piece -> outline(piece.getValue(), FINE, DASHED, MethodColours.WINE));
+                .forEach(piece -> outline(piece.getValue(), FINE, DASHED, MethodColors.WINE));
         VisibilityStep last = steps.get(steps.size() - 1);
         if (last instanceof VisibilityStep.Drawn face)
             outline(
@@ -82,7 +82,7 @@ final class StageOverlay {
     }
 
     private void outline(double[] corners) {
-        outline(corners, WIDE, THIN, MethodColours.BLUE);
+        outline(corners, WIDE, THIN, MethodColors.BLUE);
     }
 
     private void outline(double[] corners, Stroke below, Stroke above, Color colour) {
@@ -109,7 +109,7 @@ final class StageOverlay {
         g.setColor(Color.WHITE);
         g.draw(line);
         g.setStroke(THIN);
-        g.setColor(MethodColours.WINE);
+        g.setColor(MethodColors.WINE);
         g.draw(line);
     }
 
@@ -121,7 +121,7 @@ final class StageOverlay {
         g.setColor(Color.WHITE);
         g.draw(box);
         g.setStroke(THIN);
-        g.setColor(MethodColours.BLUE);
+        g.setColor(MethodColors.BLUE);
         g.draw(box);
     }
 
@@ -149,12 +149,12 @@ final class StageOverlay {
     }
 
     void sentenceBelow(List<String> lines, int x, int top) {
-        Color ground = StageColours.now().ground();
+        Color ground = StageColors.now().ground();
         var plate = new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), PLATE_ALPHA);
         int y = top;
         for (String line : lines) {
             y += lineHeight();
-            Plates.plate(g, line, x, y, plate, StageColours.now().ink());
+            Plates.plate(g, line, x, y, plate, StageColors.now().ink());
         }
     }
 

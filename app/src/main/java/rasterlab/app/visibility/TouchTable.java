@@ -102,13 +102,13 @@ final class TouchTable extends JTable {
             boolean text = column == 3;
             setHorizontalAlignment(text ? LEADING : TRAILING);
             setToolTipText(hint(touch));
-            setIcon(column == 4 ? new Colours(touch.before(), touch.after()) : null);
+            setIcon(column == 4 ? new ColorPair(touch.before(), touch.after()) : null);
             return this;
         }
     }
 
     /** The pixel's colour before and after. */
-    private record Colours(int before, int after) implements Icon {
+    private record ColorPair(int before, int after) implements Icon {
         @Override
         public void paintIcon(Component c, Graphics g, int x, int y) {
             int side = getIconHeight();

@@ -238,7 +238,7 @@ final class VisibilityInspector {
                         key,
                         none,
                         names,
-                        VisibilityColours.OWN,
+                        VisibilityColors.OWN,
                         name -> model.choose(choice -> change.of(choice, name)));
         chooser.withOwn(Texts.of("canvas", texts.language()));
         column.row(key, chooser);
@@ -356,7 +356,7 @@ final class VisibilityInspector {
             wrongPixels.setText(readings.wrongPixels());
             wrongPixels.setToolTipText(readings.refusal().orElse(null));
             wrongPixels.setIcon(
-                    two ? new MethodSwatch(choice.visibility(), VisibilityColours.OWN) : null);
+                    two ? new MethodSwatch(choice.visibility(), VisibilityColors.OWN) : null);
             missing.setText(readings.missing());
             extra.setText(readings.extra());
             miscoloured.setText(readings.miscoloured());
@@ -364,8 +364,7 @@ final class VisibilityInspector {
             largest.setText(readings.largest());
             other.setText(readings.other());
             other.setToolTipText(readings.otherRefusal().orElse(null));
-            other.setIcon(
-                    two ? new MethodSwatch(choice.comparison(), VisibilityColours.OWN) : null);
+            other.setIcon(two ? new MethodSwatch(choice.comparison(), VisibilityColors.OWN) : null);
             for (JLabel each : List.of(missing, extra, miscoloured, share, largest))
                 column.showRow(each, choice.difference());
             column.showRow(other, two);

@@ -95,7 +95,7 @@ public final class VisibilityPanel extends LabPanel {
                                         this::input,
                                         () -> model.state().choice().visibility(),
                                         method -> model.choose(old -> old.withVisibility(method)),
-                                        VisibilityColours.OWN));
+                                        VisibilityColors.OWN));
         shown.add(scenes, VisibilityMode.SCENE);
         add(shown);
         Actions.bindUndo(scenes, model.history());

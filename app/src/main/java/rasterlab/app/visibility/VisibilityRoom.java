@@ -111,7 +111,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
         return new TopicCard<>(
                 topic.name(),
                 this,
-                VisibilityColours.OWN,
+                VisibilityColors.OWN,
                 TopicWay.<VisibilityLabModel>noted(
                                 (lab, input, method) ->
                                         show(lab, view.apply(input, method), input, method),

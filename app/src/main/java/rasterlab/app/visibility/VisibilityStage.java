@@ -24,7 +24,7 @@ import javax.swing.KeyStroke;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.Wrapping;
@@ -88,8 +88,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
 
     private void addReadOut() {
         pointed.setOpaque(true);
-        pointed.setBackground(StageColours.now().ground());
-        pointed.setForeground(StageColours.now().ink());
+        pointed.setBackground(StageColors.now().ground());
+        pointed.setForeground(StageColors.now().ink());
         pointed.setBorder(BorderFactory.createEmptyBorder(2, 5, 2, 5));
         pointed.setVisible(false);
         pointed.setName("pointed");
@@ -158,7 +158,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                 view == StageView.GROWTH
                         ? GrowthChart.filling(getWidth(), getHeight(), type)
                         : ChartSize.filling(getWidth(), getHeight(), type);
-        var colours = StageColours.now();
+        var colours = StageColors.now();
         model.charts().ask(new ChartStudies.Question(view, texts.language(), colours, size));
     }
 
@@ -176,7 +176,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     }
 
     private void paintAll(Graphics2D g) {
-        g.setColor(StageColours.now().ground());
+        g.setColor(StageColors.now().ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         VisibilityLabState state = model.state();
         if (state.choice().view().isChart()) paintChart(g);
@@ -338,7 +338,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
             g.setColor(Color.WHITE);
             g.setStroke(new BasicStroke(4));
             g.drawRect(2, 2, getWidth() - 4, getHeight() - 4);
-            g.setColor(StageColours.LIGHT.focus());
+            g.setColor(StageColors.LIGHT.focus());
             g.setStroke(new BasicStroke(2));
             g.drawRect(2, 2, getWidth() - 4, getHeight() - 4);
         }

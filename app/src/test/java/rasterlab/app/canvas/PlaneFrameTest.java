@@ -38,7 +38,7 @@ class PlaneFrameTest {
 
         @Override
         public void paint(
-                Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {}
+                Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {}
 
         @Override
         public PlanePicture leaving(List<Rectangle> labels) {
@@ -70,7 +70,7 @@ class PlaneFrameTest {
                         400,
                         covered,
                         1,
-                        StageColours.LIGHT,
+                        StageColors.LIGHT,
                         new Font(Font.SANS_SERIF, Font.PLAIN, 13),
                         Locale.ENGLISH)
                 .painted(() -> false);

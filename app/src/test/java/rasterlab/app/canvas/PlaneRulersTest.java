@@ -73,7 +73,7 @@ class PlaneRulersTest {
                                 new PlaneRulers(
                                                 map,
                                                 new Dimension(444, 422),
-                                                StageColours.LIGHT,
+                                                StageColors.LIGHT,
                                                 FONT,
                                                 Locale.ENGLISH,
                                                 0)

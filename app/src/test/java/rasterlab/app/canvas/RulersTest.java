@@ -26,9 +26,9 @@ class RulersTest {
     private static boolean numberAt(int viewY) {
         var image = new BufferedImage(VIEW.width, VIEW.height, BufferedImage.TYPE_INT_RGB);
         var g = image.createGraphics();
-        new Rulers(new ZoomedGrid(100, viewY, 30), VIEW, StageColours.LIGHT, FONT).paintMargins(g);
+        new Rulers(new ZoomedGrid(100, viewY, 30), VIEW, StageColors.LIGHT, FONT).paintMargins(g);
         g.dispose();
-        int margin = StageColours.LIGHT.margin().getRGB();
+        int margin = StageColors.LIGHT.margin().getRGB();
         for (int y = Math.max(Rulers.top() + 1, viewY - 9); y < Math.min(100, viewY + 9); y++)
             for (int x = 0; x < Rulers.left(); x++) if (image.getRGB(x, y) != margin) return true;
         return false;

@@ -25,7 +25,7 @@ class StageNoteTest {
     private static int painted(String sentence) {
         var image = new BufferedImage(420, 500, BufferedImage.TYPE_INT_ARGB);
         var g = image.createGraphics();
-        note(sentence).paint(g, StageColours.LIGHT);
+        note(sentence).paint(g, StageColors.LIGHT);
         g.dispose();
         int last = 0;
         for (int y = 0; y < 500; y++)
@@ -36,8 +36,7 @@ class StageNoteTest {
     /** The lines that the sentence is painted as, as one. */
     private static String written(String sentence) {
         String svg =
-                SvgPicture.of(420, 500, g -> note(sentence).paint(g, StageColours.LIGHT))
-                        .document();
+                SvgPicture.of(420, 500, g -> note(sentence).paint(g, StageColors.LIGHT)).document();
         return Pattern.compile("<text[^>]*>([^<]*)</text", Pattern.DOTALL)
                 .matcher(svg)
                 .results()
@@ -50,7 +49,7 @@ class StageNoteTest {
         var image = new BufferedImage(420, 500, BufferedImage.TYPE_INT_ARGB);
         var g = image.createGraphics();
         Font before = g.getFont();
-        note(LONG).paint(g, StageColours.LIGHT);
+        note(LONG).paint(g, StageColors.LIGHT);
         assertEquals(before, g.getFont());
         g.dispose();
     }

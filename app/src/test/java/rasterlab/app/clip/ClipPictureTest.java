@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.PlaneMap;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.clip.outcome.ClipResults;
 import rasterlab.app.clip.outcome.ClipTopics;
 import rasterlab.app.clip.scene.ClipPoint;
@@ -154,15 +154,15 @@ class ClipPictureTest {
 
     @ParameterizedTest(name = "a region''s code is too pale to be read: {0}")
     @MethodSource("themes")
-    void codesStandOutFromTheirGround(StageColours colours) {
+    void codesStandOutFromTheirGround(StageColors colours) {
         for (Color ground : List.of(colours.ground(), colours.margin())) {
-            double contrast = MethodColours.contrast(ClipPainter.code(colours), ground);
+            double contrast = MethodColors.contrast(ClipPainter.code(colours), ground);
             assertTrue(contrast >= READ, ground + ": " + contrast);
         }
     }
 
-    static Stream<StageColours> themes() {
-        return Stream.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR);
+    static Stream<StageColors> themes() {
+        return Stream.of(StageColors.LIGHT, StageColors.DARK, StageColors.PROJECTOR);
     }
 
     @Test
@@ -190,7 +190,7 @@ class ClipPictureTest {
         var map = new PlaneMap(100, 280, 25, -25);
         ClipResults results = ClipResults.of(topics, scene);
         ClipPicture picture = ClipPicture.of(scene, results.clipping(), 0, Locale.ENGLISH);
-        StageColours colours = StageColours.LIGHT;
+        StageColors colours = StageColors.LIGHT;
         int code = ClipPainter.code(colours).getRGB();
         var image = new BufferedImage(450, 400, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();

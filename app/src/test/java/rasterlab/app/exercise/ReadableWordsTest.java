@@ -13,7 +13,7 @@ import org.fife.ui.rsyntaxtextarea.Style;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.panel.CaseTable;
 import rasterlab.app.exercise.panel.ResultPane;
@@ -83,7 +83,7 @@ class ReadableWordsTest {
     }
 
     private static void requireReadable(String what, Color words, Color ground) {
-        double contrast = MethodColours.contrast(words, ground);
+        double contrast = MethodColors.contrast(words, ground);
         assertTrue(contrast >= LEAST, () -> what + ": " + contrast);
     }
 }

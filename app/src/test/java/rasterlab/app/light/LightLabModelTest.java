@@ -241,7 +241,7 @@ class LightLabModelTest {
         model.colour(colour -> colour.turned(1, 0));
         model.reset();
         assertEquals(LightChoice.first(), model.state().choice());
-        assertEquals(ColourChoice.first(), model.state().colour());
+        assertEquals(ColorChoice.first(), model.state().colour());
         model.history().undo();
         assertEquals(3, model.state().choice().lamps().size());
     }

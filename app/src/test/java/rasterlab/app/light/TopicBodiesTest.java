@@ -85,11 +85,11 @@ class TopicBodiesTest {
     @Test
     void colourOutsideTheCubeIsBroughtToItsNearestPlace() {
         Colors bright = input(new ColorTopic().hazards(), "brighter-than-white");
-        ColourChoice cut = ColourChoice.first().with(bright, "formula");
+        ColorChoice cut = ColorChoice.first().with(bright, "formula");
         assertTrue(cut.outside());
         assertEquals(List.of(1.0, 0.5, 0.5), cut.components());
         Colors beyond = input(new ColorTopic().hazards(), "outside-the-cube");
-        ColourChoice paled = ColourChoice.first().with(beyond, "formula");
+        ColorChoice paled = ColorChoice.first().with(beyond, "formula");
         assertEquals(ColorModel.HVS, paled.model());
         assertEquals(List.of(0.0, 1.7), paled.components().subList(0, 2));
         assertEquals(1, paled.in(ColorModel.RGB)[0], 1e-9);

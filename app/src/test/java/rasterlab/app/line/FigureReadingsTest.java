@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.PlaneMap;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -98,10 +98,10 @@ class FigureReadingsTest {
         Graphics2D g = image.createGraphics();
         g.setClip(0, 0, 400, 400);
         new ArcPicture((ArcFigure) model.state().scene().figure(), drawn, step, PixelSet.EMPTY)
-                .paint(g, map, StageColours.LIGHT, () -> false);
+                .paint(g, map, StageColors.LIGHT, () -> false);
         g.dispose();
         double left = map.viewX(drawn.pixels().x(step - 1)) - 5;
         double top = map.viewY(drawn.pixels().y(step - 1)) - 5;
-        assertEquals(StageColours.LIGHT.ink().getRGB(), image.getRGB((int) left, (int) top));
+        assertEquals(StageColors.LIGHT.ink().getRGB(), image.getRGB((int) left, (int) top));
     }
 }

@@ -31,14 +31,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.StageNote;
 import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.canvas.ZoomedGrid;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
@@ -49,7 +49,7 @@ import rasterlab.engine.raster.Plotted;
 
 @Timeout(300)
 class LineStageTest {
-    private static final int BLUE = LineColours.OWN.of("bresenham").getRGB();
+    private static final int BLUE = LineColors.OWN.of("bresenham").getRGB();
 
     private static final Rectangle NO_BUTTONS = new Rectangle();
 
@@ -73,7 +73,7 @@ class LineStageTest {
                 500,
                 300,
                 scale,
-                StageColours.LIGHT,
+                StageColors.LIGHT,
                 FONT,
                 "",
                 NO_BUTTONS,
@@ -106,7 +106,7 @@ class LineStageTest {
                                 1700,
                                 1000,
                                 1,
-                                StageColours.LIGHT,
+                                StageColors.LIGHT,
                                 new Font(Font.SANS_SERIF, Font.PLAIN, 13),
                                 "",
                                 NO_BUTTONS,
@@ -126,7 +126,7 @@ class LineStageTest {
 
     @ParameterizedTest(name = "coverage is painted as whole blocks: {0}")
     @MethodSource("grounds")
-    void coverageIsOpacity(StageColours colours) throws InterruptedException {
+    void coverageIsOpacity(StageColors colours) throws InterruptedException {
         model.chooseMethod("wu");
         model.show(new Segment(0, 0, 11, 4));
         model.settle();
@@ -150,9 +150,9 @@ class LineStageTest {
         Color less = new Color(image.getRGB(100 + 20 * 4 + 7, 60 + 20 - 7));
         Color least = new Color(image.getRGB(100 + 20 * 3 - 7, 60 + 20 * 2 + 7));
         double[] contrasts = {
-            MethodColours.contrast(most, ground),
-            MethodColours.contrast(less, ground),
-            MethodColours.contrast(least, ground)
+            MethodColors.contrast(most, ground),
+            MethodColors.contrast(less, ground),
+            MethodColors.contrast(least, ground)
         };
         String said = Arrays.toString(contrasts);
         assertTrue(contrasts[0] >= 2.2, said);
@@ -160,8 +160,8 @@ class LineStageTest {
         assertTrue(contrasts[2] > 1.02, said);
     }
 
-    static Stream<StageColours> grounds() {
-        return Stream.of(StageColours.LIGHT, StageColours.DARK);
+    static Stream<StageColors> grounds() {
+        return Stream.of(StageColors.LIGHT, StageColors.DARK);
     }
 
     /** Dots in the middle of each side of a lozenge in a square of 20, from its own middle. */
@@ -192,7 +192,7 @@ class LineStageTest {
 
     private static boolean isInk(int rgb) {
         var colour = new Color(rgb);
-        Color ink = StageColours.LIGHT.ink();
+        Color ink = StageColors.LIGHT.ink();
         return Math.abs(colour.getRed() - ink.getRed()) < 60
                 && Math.abs(colour.getGreen() - ink.getGreen()) < 60
                 && Math.abs(colour.getBlue() - ink.getBlue()) < 60;
@@ -256,7 +256,7 @@ class LineStageTest {
         var inside = new Rectangle(66, 33, 314, 237);
         var note = new StageNote(said, inside, new Font(Font.SANS_SERIF, Font.PLAIN, 20));
         var image = new BufferedImage(380, 270, BufferedImage.TYPE_INT_ARGB);
-        note.paint(image.createGraphics(), StageColours.LIGHT);
+        note.paint(image.createGraphics(), StageColors.LIGHT);
         ZoomedGrid grid = framed(note.below());
         for (End end : End.values()) {
             Rectangle handle = LineFrame.around(end, segment, grid, note.below(), NO_BUTTONS);

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.LineTopic;
@@ -154,7 +154,7 @@ class LineStageViewTest {
         int count = 1;
         for (int x = 9; x < 17; x++)
             for (int y = 9; y < 17; y++)
-                if (handle.getRGB(x, y) == StageColours.LIGHT.ink().getRGB()) count++;
+                if (handle.getRGB(x, y) == StageColors.LIGHT.ink().getRGB()) count++;
         return count;
     }
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.PlaneMap;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.figure.ArcFigure;
@@ -90,7 +90,7 @@ class OwnFigureTest {
         Graphics2D g = image.createGraphics();
         g.setClip(0, 0, 400, 400);
         new ArcPicture(arc, model.state().drawing(), step, PixelSet.EMPTY)
-                .paint(g, map, StageColours.LIGHT, () -> false);
+                .paint(g, map, StageColors.LIGHT, () -> false);
         g.dispose();
         return IntStream.range(190 * 400, 210 * 400)
                 .filter(at -> at % 400 >= 190 && at % 400 < 210)

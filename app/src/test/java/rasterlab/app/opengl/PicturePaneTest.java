@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.OffscreenPainter;
@@ -32,7 +32,7 @@ class PicturePaneTest {
                         .text("missing", "у EGL нет дисплея без поверхности, а окна нет");
         var pane = new PicturePane("pane", "pane", Optional::empty, () -> sentence, () -> {});
         BufferedImage painted = OffscreenPainter.paint(pane, WIDTH, height);
-        int margin = StageColours.LIGHT.margin().getRGB();
+        int margin = StageColors.LIGHT.margin().getRGB();
         int[] rows =
                 IntStream.range(0, height)
                         .filter(

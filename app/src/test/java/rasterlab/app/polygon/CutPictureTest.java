@@ -11,7 +11,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.polygon.figure.CornerList;
 import rasterlab.app.polygon.figure.CutFigure;
@@ -33,7 +33,7 @@ class CutPictureTest {
                 SvgPicture.of(
                                 SIZE,
                                 SIZE,
-                                g -> picture.paint(g, map, StageColours.LIGHT, () -> false))
+                                g -> picture.paint(g, map, StageColors.LIGHT, () -> false))
                         .document();
         return Pattern.compile("<text[^>]*? x=\"(\\d+)\"[^>]*? y=\"(\\d+)\"[^>]*>1<")
                 .matcher(svg)

@@ -23,8 +23,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.polygon.figure.BrushKind;
@@ -64,7 +64,7 @@ class PolygonPictureTest {
         g.setClip(view);
         PlaneAxes axes = scene.mode().raster() ? PlaneAxes.RASTER : PlaneAxes.GEOMETRY;
         PlaneMap map = PlaneMap.fitting(PolygonFraming.of(scene.figure()), view, axes);
-        picture.paint(g, map, StageColours.LIGHT, () -> false);
+        picture.paint(g, map, StageColors.LIGHT, () -> false);
         g.dispose();
         var colours = new HashSet<Integer>();
         for (int y = 0; y < HEIGHT; y++)
@@ -94,7 +94,7 @@ class PolygonPictureTest {
     void marksWhatIsWrongAndNothingElse(
             PolygonMode mode, String hazard, String method, boolean wrong) {
         Set<Integer> colours = result(scene(mode, hazard, method, ""));
-        assertEquals(wrong, colours.contains(MethodColours.VERMILLION.getRGB()));
+        assertEquals(wrong, colours.contains(MethodColors.VERMILLION.getRGB()));
     }
 
     @ParameterizedTest(name = "the name of a corner is written over a side: {0}")
@@ -139,12 +139,12 @@ class PolygonPictureTest {
         PolygonScene scene = scene(PolygonMode.FILL, "corners-on-centres", "naive", "scanline");
         PolygonResults results = PolygonResults.of(topics, scene);
         PlanePicture difference = pictures.difference(results, results.outcome().steps() + 1);
-        assertTrue(colours(scene, difference).contains(PolygonColours.OWN.of("naive").getRGB()));
+        assertTrue(colours(scene, difference).contains(PolygonColors.OWN.of("naive").getRGB()));
         scene = scene(PolygonMode.POLYGON, "covered-twice", "winding", "ray");
         results = PolygonResults.of(topics, scene);
         difference = pictures.difference(results, 0);
-        assertTrue(colours(scene, difference).contains(PolygonColours.OWN.of("winding").getRGB()));
-        assertTrue(colours(scene, difference).contains(PolygonColours.OWN.of("ray").getRGB()));
+        assertTrue(colours(scene, difference).contains(PolygonColors.OWN.of("winding").getRGB()));
+        assertTrue(colours(scene, difference).contains(PolygonColors.OWN.of("ray").getRGB()));
     }
 
     @Test
@@ -153,7 +153,7 @@ class PolygonPictureTest {
         PolygonScene hatched =
                 solid.with(((FillFigure) solid.figure()).withBrush(BrushKind.DIAGONAL_CROSS));
         int between =
-                MethodColours.mix(Color.WHITE, PolygonColours.OWN.of("scanline"), 0.12).getRGB();
+                MethodColors.mix(Color.WHITE, PolygonColors.OWN.of("scanline"), 0.12).getRGB();
         assertFalse(result(solid).contains(between));
         assertTrue(result(hatched).contains(between));
     }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.practice.Board.Named;
@@ -219,7 +219,7 @@ class SketchesTest {
                     assertEquals(BoardFrame.of(without, VIEW), frame, place);
                     var g = image.createGraphics();
                     frame.paintGrid(g, new Font(Font.DIALOG, Font.PLAIN, 13), Locale.ENGLISH);
-                    new BoardPainter(g, frame.map(), StageColours.LIGHT, texts).paint(with);
+                    new BoardPainter(g, frame.map(), StageColors.LIGHT, texts).paint(with);
                     frame.paintMargins(g, new Font(Font.DIALOG, Font.PLAIN, 13), Locale.ENGLISH);
                     g.dispose();
                 });

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -85,7 +85,7 @@ class RowPainterTest {
         RowScene scene = kind.scene(choice);
         var stage = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         var g = stage.createGraphics();
-        g.setColor(StageColours.now().ground());
+        g.setColor(StageColors.now().ground());
         g.fillRect(0, 0, width, height);
         var plan = new RowPlan(width, height, scene.image().isPresent());
         new RowPainter(g, Texts.of("row", Language.RUSSIAN), choice, scene, plan).paint();

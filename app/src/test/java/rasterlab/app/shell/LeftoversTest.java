@@ -26,14 +26,14 @@ import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
 import org.junit.platform.launcher.core.LauncherFactory;
 import org.junit.platform.launcher.listeners.SummaryGeneratingListener;
 import org.junit.platform.launcher.listeners.TestExecutionSummary;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.shell.settings.LabTheme;
 
 class LeftoversTest {
     static Stream<Arguments> leaving() {
         return Stream.of(
                 argumentSet("type of another theme", LeavesType.class, "defaultFont: "),
-                argumentSet("colours of another theme", LeavesColours.class, "look and feel: Flat"),
+                argumentSet("colours of another theme", LeavesColors.class, "look and feel: Flat"),
                 argumentSet("a font put back where none was put", LeavesFont.class, "Label.font: "),
                 argumentSet("the machine's language", LeavesLocale.class, "locale: ar"),
                 argumentSet("who is told of failures", LeavesHandler.class, "handler of failures"),
@@ -102,7 +102,7 @@ class LeftoversTest {
         }
     }
 
-    static class LeavesColours extends Leaving {
+    static class LeavesColors extends Leaving {
         @Override
         void leave() {
             LabTheme.DARK.install();
@@ -168,7 +168,7 @@ class LeftoversTest {
         class Part {
             @Test
             void seesWhatTheWholeInstalled() {
-                assertTrue(UIManager.getBoolean(StageColours.HIGH_CONTRAST));
+                assertTrue(UIManager.getBoolean(StageColors.HIGH_CONTRAST));
             }
         }
     }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.golden.GoldenFile;
 import rasterlab.app.language.Language;
@@ -95,7 +95,7 @@ class ShownTopicsTest {
         List<String> names = topic.methods().stream().map(Method::name).toList();
         var line = new StringJoiner(" ");
         line.add("method " + method.name());
-        TopicColours colours = LabRooms.card(topic.name()).colours();
+        TopicColors colours = LabRooms.card(topic.name()).colours();
         line.add(hex(colours.of(method.name())));
         line.add(hex(colours.among(names).get(method.name())));
         for (Language language : Language.values()) {

@@ -19,7 +19,7 @@ import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.engine.spline.function.Overshoot;
 
@@ -96,7 +96,7 @@ class FunctionPictureTest {
                                 height,
                                 g -> {
                                     g.setClip(0, 0, WIDTH, height);
-                                    picture.paint(g, map(height), StageColours.LIGHT, () -> false);
+                                    picture.paint(g, map(height), StageColors.LIGHT, () -> false);
                                 })
                         .document();
         return NUMBER.matcher(svg).results().toList();

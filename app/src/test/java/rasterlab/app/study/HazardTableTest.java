@@ -18,7 +18,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.settings.LabTheme;
@@ -52,7 +52,7 @@ class HazardTableTest {
             var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
             table.refresh();
             var cell = table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
-            double contrast = MethodColours.contrast(cell.getForeground(), cell.getBackground());
+            double contrast = MethodColors.contrast(cell.getForeground(), cell.getBackground());
             assertTrue(contrast >= 4.5, () -> "contrast " + contrast);
         }
     }

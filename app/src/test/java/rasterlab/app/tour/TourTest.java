@@ -27,7 +27,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
@@ -148,7 +148,7 @@ class TourTest {
         assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted, looks))));
         // Which methods are beaten, and so pale, is measured; the band of exact results is not.
         assertTrue(pixels("chart", EXACT_BAND) > 5000, "no chart");
-        assertTrue(pixels("checked", MethodColours.VERMILLION) > 100, "no wrong pixel is marked");
+        assertTrue(pixels("checked", MethodColors.VERMILLION) > 100, "no wrong pixel is marked");
     }
 
     /** Pixels of that colour, or nearly: a picture that is made smaller mixes neighbours. */

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 
@@ -33,7 +33,7 @@ class DifferenceContrastTest {
     }
 
     private static void requireContrast(Color one, Color other) {
-        double contrast = MethodColours.contrast(one, other);
+        double contrast = MethodColors.contrast(one, other);
         assertTrue(contrast >= LEAST, one + " on " + other + ": " + contrast);
     }
 

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Language;
@@ -368,10 +368,10 @@ class VisibilityLabModelTest {
 
     @Test
     void countedChartIsShownAndACancelledOneIsNot() {
-        model.charts().ask(asked(StageView.PRECISION, StageColours.LIGHT));
+        model.charts().ask(asked(StageView.PRECISION, StageColors.LIGHT));
         settle();
         assertEquals(StageView.PRECISION, model.charts().chart().orElseThrow().asked().view());
-        model.charts().ask(asked(StageView.GROWTH, StageColours.LIGHT));
+        model.charts().ask(asked(StageView.GROWTH, StageColors.LIGHT));
         model.charts().cancel();
         settle();
         assertTrue(model.charts().chart().isEmpty(), "a chart that was given up is shown");
@@ -380,7 +380,7 @@ class VisibilityLabModelTest {
     @Test
     @DisplayName("a chart keeps the colours of the theme before")
     void chartStandsOnTheGroundOfItsTheme() {
-        for (var colours : List.of(StageColours.DARK, StageColours.LIGHT, StageColours.PROJECTOR)) {
+        for (var colours : List.of(StageColors.DARK, StageColors.LIGHT, StageColors.PROJECTOR)) {
             model.charts().ask(asked(StageView.PRECISION, colours));
             settle();
             var image = model.charts().chart().orElseThrow().image();
@@ -394,7 +394,7 @@ class VisibilityLabModelTest {
         }
     }
 
-    private static ChartStudies.Question asked(StageView view, StageColours colours) {
+    private static ChartStudies.Question asked(StageView view, StageColors colours) {
         return new ChartStudies.Question(view, Language.ENGLISH, colours, ChartSize.USUAL);
     }
 }

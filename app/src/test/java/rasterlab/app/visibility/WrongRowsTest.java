@@ -95,7 +95,7 @@ class WrongRowsTest {
         assertTrue(value("other").isVisible(), "shown only with marks");
         for (String[] one : new String[][] {{"wrongPixels", "painter"}, {"other", "newell"}}) {
             JLabel value = value(one[0]);
-            int colour = VisibilityColours.OWN.of(one[1]).getRGB();
+            int colour = VisibilityColors.OWN.of(one[1]).getRGB();
             assertTrue(colours(value.getIcon(), value).contains(colour), one[1]);
         }
         model.choose(choice -> choice.withComparison(""));

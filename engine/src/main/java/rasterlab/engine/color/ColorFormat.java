@@ -21,7 +21,7 @@ import rasterlab.engine.study.Topic;
 final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
     private static final List<ColorModel> MODELS = List.of(ColorModel.values());
     private static final List<Field<double[]>> COLOURS =
-            MODELS.stream().map(each -> Field.optional(each.code(), new Colour(each))).toList();
+            MODELS.stream().map(each -> Field.optional(each.code(), new ColorShape(each))).toList();
     private static final Field<?> LEVELS =
             Field.required("levels", Shape.list("levels", Shape.whole(0, 255), 3, 3));
 
@@ -30,7 +30,7 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
     }
 
     /** A colour in a model; a hue may be null, which becomes NaN. */
-    private record Colour(ColorModel model) implements Shape<double[]> {
+    private record ColorShape(ColorModel model) implements Shape<double[]> {
         @Override
         public double[] read(ValueSource in) throws IOException {
             var components = new Components(model, new ArrayList<>());
@@ -66,7 +66,7 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
     private record Components(ColorModel model, List<Double> read) implements Shape<Double> {
         @Override
         public Double read(ValueSource in) throws IOException {
-            Double component = Colour.component(model, read.size()).read(in);
+            Double component = ColorShape.component(model, read.size()).read(in);
             read.add(component == null ? Double.NaN : component);
             return component;
         }
@@ -78,7 +78,7 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
 
         @Override
         public void schema(ValueSink out) throws IOException {
-            new Colour(model).schema(out);
+            new ColorShape(model).schema(out);
         }
     }
 

@@ -12,8 +12,8 @@ import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.clip.ClipChoice;
 import rasterlab.app.clip.ClipLabState;
 import rasterlab.app.clip.ClipRoom;
@@ -88,7 +88,7 @@ class WindowClipTest extends WindowHarness {
         press(KeyEvent.VK_LEFT);
         assertTrue(end(1, 1).x() < before.x());
         assertEquals(before.y(), end(1, 1).y());
-        assertTrue(colours("end.B2").contains(StageColours.LIGHT.focus().getRGB()), "no focus");
+        assertTrue(colours("end.B2").contains(StageColors.LIGHT.focus().getRGB()), "no focus");
         assertEquals("B2", state().selected().label());
     }
 
@@ -109,7 +109,7 @@ class WindowClipTest extends WindowHarness {
     void secondMethodHasAPictureOfItsOwnUntilTheDifferenceIsShown() {
         window.comboBox("comparison").selectItem("cohen-sutherland-textbook");
         await("a second picture", () -> named("stage.other").getHeight() > 100);
-        int wrong = MethodColours.VERMILLION.getRGB();
+        int wrong = MethodColors.VERMILLION.getRGB();
         await("wrong parts are marked", () -> colours("stage.other").contains(wrong));
         assertFalse(colours("stage").contains(wrong), "marked where nothing is wrong");
         window.checkBox("difference").click();

@@ -17,8 +17,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
@@ -81,7 +81,7 @@ class WindowCoordinatesTest extends WindowHarness {
         press(KeyEvent.VK_RIGHT);
         assertTrue(view().numbers().get(ViewNumber.ANGLE_Y) > before);
         assertTrue(
-                colours("handle.vertex").contains(StageColours.LIGHT.focus().getRGB()), "no focus");
+                colours("handle.vertex").contains(StageColors.LIGHT.focus().getRGB()), "no focus");
         press(KeyEvent.VK_HOME);
         assertEquals(0, labs().views().step());
         press(KeyEvent.VK_PAGE_DOWN);
@@ -146,7 +146,7 @@ class WindowCoordinatesTest extends WindowHarness {
         window.slider("width").slideTo(50);
         robot.waitForIdle();
         assertTrue(view().numbers().get(ViewNumber.WIDTH) < 400);
-        int light = StageColours.LIGHT.focus().getRGB();
+        int light = StageColors.LIGHT.focus().getRGB();
         focus("handle.vertex");
         assertTrue(colours("handle.vertex").contains(light), "no focus");
     }
@@ -191,7 +191,7 @@ class WindowCoordinatesTest extends WindowHarness {
         drag("corner.2", 40, -40);
         assertNotEquals(before.get(4), list().points().get(4));
         assertEquals(before.subList(0, 4), list().points().subList(0, 4));
-        int wrong = MethodColours.VERMILLION.getRGB();
+        int wrong = MethodColors.VERMILLION.getRGB();
         assertFalse(colours("stage").contains(wrong), "marked unasked");
         window.button("chip.axis").click();
         await("the printed matrix is marked", () -> colours("stage").contains(wrong));
@@ -254,8 +254,8 @@ class WindowCoordinatesTest extends WindowHarness {
         window.comboBox("method").selectItem("table");
         await("the way is drawn", () -> colours("stage").contains(own));
         int line =
-                MethodColours.edgeOn(
-                                StageColours.LIGHT.ground(),
+                MethodColors.edgeOn(
+                                StageColors.LIGHT.ground(),
                                 LabRooms.card("rotate").colours().of("table"))
                         .getRGB();
         await("the drift is drawn", () -> colours("stage.chart").contains(line));

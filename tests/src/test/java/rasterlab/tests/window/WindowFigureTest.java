@@ -12,7 +12,7 @@ import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.line.LineRoom;
 import rasterlab.app.line.figure.ArcFigure;
@@ -89,7 +89,7 @@ class WindowFigureTest extends WindowHarness {
 
     /** The lines of a mark are thin, and so mixed with what is under them. */
     private boolean isMarked() {
-        Color mark = MethodColours.VERMILLION;
+        Color mark = MethodColors.VERMILLION;
         return colours("stage").stream()
                 .map(Color::new)
                 .anyMatch(

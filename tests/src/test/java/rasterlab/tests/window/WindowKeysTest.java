@@ -19,7 +19,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTabs;
 import rasterlab.app.shell.settings.LabTheme;
@@ -30,7 +30,7 @@ import rasterlab.tests.bench.window.WindowContent;
 /** Where the keyboard goes: to the picture of the chosen tab. */
 class WindowKeysTest extends WindowHarness {
     /** Colour around what has the keyboard, in the light theme. */
-    private static final int FOCUS = StageColours.LIGHT.focus().getRGB();
+    private static final int FOCUS = StageColors.LIGHT.focus().getRGB();
 
     private static final List<String> TABS = LabTabs.NAMES;
 

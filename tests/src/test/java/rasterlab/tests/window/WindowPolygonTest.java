@@ -12,7 +12,7 @@ import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.polygon.PolygonChoice;
 import rasterlab.app.polygon.PolygonLabState;
@@ -81,7 +81,7 @@ class WindowPolygonTest extends WindowHarness {
 
     @Test
     void wrongPointsOfThePlaneAreMarkedUntilAnExactMethodIsChosen() {
-        int wrong = MethodColours.VERMILLION.getRGB();
+        int wrong = MethodColors.VERMILLION.getRGB();
         window.comboBox("method").selectItem("sign-double");
         drag("point", 60, 60);
         await("boundary points are marked", () -> colours("stage").contains(wrong));

@@ -12,7 +12,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.method.MethodSwatch;
 import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.canvas.widget.WrappedText;
@@ -82,7 +82,7 @@ final class HazardStrip extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         setBackground(colours.margin());
         setBorder(
                 BorderFactory.createMatteBorder(

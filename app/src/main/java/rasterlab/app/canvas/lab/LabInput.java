@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 
 /**
  * The part of a lab's state that its hazards need to know.
@@ -20,14 +20,14 @@ public record LabInput(
         Supplier<?> input,
         Supplier<String> method,
         Consumer<String> choose,
-        TopicColours colours,
+        TopicColors colours,
         UnaryOperator<String> called,
         String unjudged) {
     public LabInput(
             Supplier<?> input,
             Supplier<String> method,
             Consumer<String> choose,
-            TopicColours colours) {
+            TopicColors colours) {
         this(input, method, choose, colours, name -> name, "");
     }
 
@@ -38,6 +38,6 @@ public record LabInput(
      */
     public static LabInput unjudged(Supplier<?> input, String why) {
         return new LabInput(
-                input, () -> "", method -> {}, new TopicColours(Map.of()), name -> name, why);
+                input, () -> "", method -> {}, new TopicColors(Map.of()), name -> name, why);
     }
 }

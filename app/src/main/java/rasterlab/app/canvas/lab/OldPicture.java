@@ -9,7 +9,7 @@ import java.awt.RenderingHints;
 import javax.accessibility.AccessibleRole;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
 
@@ -44,7 +44,7 @@ final class OldPicture extends SelfDrawn {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
-        Color ground = StageColours.now().ground();
+        Color ground = StageColors.now().ground();
         g.setColor(new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), VEIL));
         g.fillRect(0, 0, getWidth(), getHeight());
         g.setRenderingHint(
@@ -52,11 +52,11 @@ final class OldPicture extends SelfDrawn {
         g.setFont(getFont().deriveFont(Font.BOLD));
         FontMetrics metrics = g.getFontMetrics();
         int y = getHeight() / 2;
-        Color plate = Plates.nearlyOpaque(StageColours.now().ground());
+        Color plate = Plates.nearlyOpaque(StageColors.now().ground());
         for (String line :
                 Wrapping.lines(sentence, getWidth() - 2 * MARGIN, metrics::stringWidth)) {
             int x = Math.max(MARGIN, (getWidth() - metrics.stringWidth(line)) / 2);
-            Plates.plate(g, line, x, y, plate, StageColours.now().ink());
+            Plates.plate(g, line, x, y, plate, StageColors.now().ink());
             y += metrics.getHeight() + 2;
         }
         g.dispose();

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.accessibility.AccessibleRole;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.canvas.work.History;
 
@@ -101,7 +101,7 @@ final class StageHint extends SelfDrawn {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         g.setColor(colours.margin());
         g.fillRoundRect(0, 0, getWidth() - 1, getHeight() - 1, 10, 10);
         g.setColor(colours.focus());

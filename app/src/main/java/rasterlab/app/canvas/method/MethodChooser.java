@@ -28,7 +28,7 @@ public final class MethodChooser extends JComboBox<String> {
             String name,
             String none,
             List<String> methods,
-            TopicColours colours,
+            TopicColors colours,
             Consumer<String> chosen) {
         setName(name);
         if (!none.isEmpty()) addItem("");
@@ -59,9 +59,9 @@ public final class MethodChooser extends JComboBox<String> {
         private static final long serialVersionUID = 1L;
 
         private final String none;
-        private final transient TopicColours colours;
+        private final transient TopicColors colours;
 
-        Renderer(String none, TopicColours colours) {
+        Renderer(String none, TopicColors colours) {
             this.none = none;
             this.colours = colours;
         }

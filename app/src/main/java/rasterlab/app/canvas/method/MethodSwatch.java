@@ -9,7 +9,7 @@ import java.awt.RenderingHints;
 import javax.swing.Icon;
 
 /** A square of the method's colour, with an edge that is seen on any background. */
-public record MethodSwatch(String method, TopicColours colours) implements Icon {
+public record MethodSwatch(String method, TopicColors colours) implements Icon {
     @Override
     public void paintIcon(Component c, Graphics g, int x, int y) {
         var copy = (Graphics2D) g.create();
@@ -17,7 +17,7 @@ public record MethodSwatch(String method, TopicColours colours) implements Icon 
         Color colour = colours.of(method);
         copy.setColor(colour);
         copy.fillRoundRect(x, y, getIconWidth(), getIconHeight(), 4, 4);
-        copy.setColor(MethodColours.edgeOn(c.getBackground(), colour));
+        copy.setColor(MethodColors.edgeOn(c.getBackground(), colour));
         copy.drawRoundRect(x, y, getIconWidth() - 1, getIconHeight() - 1, 4, 4);
         copy.dispose();
     }

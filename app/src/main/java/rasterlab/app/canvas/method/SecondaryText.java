@@ -11,6 +11,6 @@ public final class SecondaryText {
      * A colour as pale as the present theme's switched-off words, with a contrast of at least 4.5.
      */
     public static Color on(Color ground) {
-        return MethodColours.textOn(ground, UIManager.getColor("Label.disabledForeground"));
+        return MethodColors.textOn(ground, UIManager.getColor("Label.disabledForeground"));
     }
 }

@@ -7,7 +7,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 
 /**
  * Marks in the order in which they are drawn.
@@ -33,7 +33,7 @@ public record Figure(List<Mark> marks, boolean ruled, List<Rectangle> taken)
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
         var painter = new FigurePainter(g, map, colours, marks, taken);
         for (Mark mark : marks) {
             if (cancelled.getAsBoolean()) throw new CancellationException();

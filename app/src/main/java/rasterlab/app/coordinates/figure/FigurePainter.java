@@ -12,8 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 
 /** Draws marks of a figure. */
 final class FigurePainter {
@@ -29,7 +29,7 @@ final class FigurePainter {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColours colours;
+    private final StageColors colours;
     private final MarkLabelPlaces places;
 
     /**
@@ -39,7 +39,7 @@ final class FigurePainter {
     FigurePainter(
             Graphics2D g,
             PlaneMap map,
-            StageColours colours,
+            StageColors colours,
             List<Mark> marks,
             List<Rectangle> taken) {
         this.g = g;
@@ -75,14 +75,14 @@ final class FigurePainter {
         return switch (ink.role()) {
             case OBJECT -> colours.ink();
             case GHOST, HELP -> colours.axis();
-            case AXIS_X -> MethodColours.ORANGE;
-            case AXIS_Y -> MethodColours.GREEN;
-            case AXIS_Z, PLANE, EDGE -> MethodColours.SKY_BLUE;
-            case EYE -> MethodColours.PURPLE;
-            case WRONG, PRINTED -> MethodColours.VERMILLION;
+            case AXIS_X -> MethodColors.ORANGE;
+            case AXIS_Y -> MethodColors.GREEN;
+            case AXIS_Z, PLANE, EDGE -> MethodColors.SKY_BLUE;
+            case EYE -> MethodColors.PURPLE;
+            case WRONG, PRINTED -> MethodColors.VERMILLION;
             case LEFT_EYE -> RED;
             case RIGHT_EYE -> CYAN;
-            case METHOD -> FigureColours.OWN.of(ink.method());
+            case METHOD -> FigureColors.OWN.of(ink.method());
         };
     }
 

@@ -34,7 +34,7 @@ public final class NamedControls {
     /** The row in which a method is chosen. */
     public MethodChooser method(List<? extends Method<?>> methods, Consumer<String> chosen) {
         List<String> names = methods.stream().map(Method::name).toList();
-        var chooser = new MethodChooser("method", "", names, FigureColours.OWN, chosen);
+        var chooser = new MethodChooser("method", "", names, FigureColors.OWN, chosen);
         column.row("method", chooser);
         return chooser;
     }

@@ -8,7 +8,7 @@ import rasterlab.app.canvas.lab.LabInput;
 import rasterlab.app.canvas.lab.ModeRows;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
-import rasterlab.app.coordinates.figure.FigureColours;
+import rasterlab.app.coordinates.figure.FigureColors;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -68,7 +68,7 @@ public final class ListPanel extends LabCard {
 
     @Override
     protected LabInput input() {
-        return new LabInput(this::asked, this::method, this::choose, FigureColours.OWN);
+        return new LabInput(this::asked, this::method, this::choose, FigureColors.OWN);
     }
 
     private Object asked() {

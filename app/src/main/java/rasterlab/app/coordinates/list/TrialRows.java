@@ -14,7 +14,7 @@ import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.card.TopicTexts;
-import rasterlab.app.coordinates.figure.FigureColours;
+import rasterlab.app.coordinates.figure.FigureColors;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
@@ -55,7 +55,7 @@ final class TrialRows {
 
     private void addMethods(String of, List<? extends Method<?>> all, Consumer<String> chosen) {
         List<String> names = all.stream().map(Method::name).toList();
-        var chooser = new MethodChooser("method", "", names, FigureColours.OWN, chosen);
+        var chooser = new MethodChooser("method", "", names, FigureColors.OWN, chosen);
         if (!of.equals(MATRICES)) chooser.withOwn(Texts.of("canvas", texts.language()));
         column.row("method", chooser);
         methods.put(of, chooser);

@@ -17,11 +17,11 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.Wrapping;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.canvas.method.OwnWords;
-import rasterlab.app.coordinates.figure.FigureColours;
+import rasterlab.app.coordinates.figure.FigureColors;
 import rasterlab.app.language.Texts;
 
 /** Each method's error over the number of turns, both in powers of ten. */
@@ -177,7 +177,7 @@ final class DriftChart extends SelfDrawn {
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         Plot plot = plot();
         g.setFont(plot.font);
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         g.setColor(colours.ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         paintGrid(g, plot, colours);
@@ -185,7 +185,7 @@ final class DriftChart extends SelfDrawn {
         paintNames(g, plot, colours);
     }
 
-    private void paintGrid(Graphics2D g, Plot plot, StageColours colours) {
+    private void paintGrid(Graphics2D g, Plot plot, StageColors colours) {
         FontMetrics metrics = g.getFontMetrics();
         int every = 2;
         while (plot.y(0) - plot.y(every) < metrics.getAscent() && every < DECADES_OF_ERROR)
@@ -226,7 +226,7 @@ final class DriftChart extends SelfDrawn {
     }
 
     private static void paintLevel(
-            Graphics2D g, Plot plot, int decade, String said, StageColours colours) {
+            Graphics2D g, Plot plot, int decade, String said, StageColors colours) {
         g.setColor(colours.grid());
         g.draw(new Line2D.Double(plot.x(0), plot.y(decade), plot.x(DECADES), plot.y(decade)));
         g.setColor(colours.ink());
@@ -239,7 +239,7 @@ final class DriftChart extends SelfDrawn {
         g.drawString(said, (float) Math.max(BESIDE, left), (float) y);
     }
 
-    private void paintCurve(Graphics2D g, Plot plot, TurnScene.Drift drift, StageColours colours) {
+    private void paintCurve(Graphics2D g, Plot plot, TurnScene.Drift drift, StageColors colours) {
         g.setColor(colour(drift, colours));
         g.setStroke(new BasicStroke(drift.method().equals(chosen) ? 3.2f : 1.8f));
         double beforeX = Double.NaN;
@@ -254,8 +254,8 @@ final class DriftChart extends SelfDrawn {
         }
     }
 
-    private static Color colour(TurnScene.Drift drift, StageColours colours) {
-        return MethodColours.edgeOn(colours.ground(), FigureColours.OWN.of(drift.method()));
+    private static Color colour(TurnScene.Drift drift, StageColors colours) {
+        return MethodColors.edgeOn(colours.ground(), FigureColors.OWN.of(drift.method()));
     }
 
     private static double decade(double error) {
@@ -263,7 +263,7 @@ final class DriftChart extends SelfDrawn {
     }
 
     /** Paints the names beside the curves' ends, from below, none over another. */
-    private void paintNames(Graphics2D g, Plot plot, StageColours colours) {
+    private void paintNames(Graphics2D g, Plot plot, StageColors colours) {
         var sorted = new ArrayList<>(drifts);
         sorted.sort(Comparator.comparingDouble(plot::end).reversed());
         double[] places = places(sorted, plot, g.getFontMetrics().getHeight());

@@ -7,7 +7,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.lab.LabInput;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
-import rasterlab.app.coordinates.figure.FigureColours;
+import rasterlab.app.coordinates.figure.FigureColors;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -60,7 +60,7 @@ public final class TurnPanel extends LabCard {
                 () -> model.choice().withMethod(""),
                 () -> model.choice().method(),
                 model::chooseMethod,
-                FigureColours.OWN);
+                FigureColors.OWN);
     }
 
     @Override

@@ -9,7 +9,7 @@ import rasterlab.app.canvas.lab.HazardCase;
 import rasterlab.app.canvas.lab.LabInput;
 import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
-import rasterlab.app.coordinates.figure.FigureColours;
+import rasterlab.app.coordinates.figure.FigureColors;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -106,7 +106,7 @@ public final class ViewPanel extends LabCard {
                 () -> model.choice().withMethod(any),
                 () -> model.choice().method(),
                 model::chooseMethod,
-                FigureColours.OWN);
+                FigureColors.OWN);
     }
 
     @Override

@@ -6,7 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.study.front.SpeedChart;
 
@@ -24,7 +24,7 @@ public final class SpeedPicture implements PaintedPicture {
     private final SpeedChart chart;
     private Optional<Painted> painted = Optional.empty();
 
-    private record Asked(Dimension place, double dots, StageColours colours) {}
+    private record Asked(Dimension place, double dots, StageColors colours) {}
 
     private record Painted(Asked asked, BufferedImage image) {}
 
@@ -42,7 +42,7 @@ public final class SpeedPicture implements PaintedPicture {
                 new Asked(
                         place.getSize(),
                         Math.max(1, g.getTransform().getScaleX()),
-                        StageColours.now());
+                        StageColors.now());
         if (painted.filter(one -> one.asked().equals(asked)).isEmpty())
             painted = Optional.of(new Painted(asked, image(asked)));
         g.drawImage(painted.get().image(), place.x, place.y, place.width, place.height, null);

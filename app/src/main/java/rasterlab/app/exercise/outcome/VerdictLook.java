@@ -2,7 +2,7 @@ package rasterlab.app.exercise.outcome;
 
 import java.awt.Color;
 import java.util.Set;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** How a verdict looks: by a sign and by a colour. */
@@ -24,8 +24,8 @@ public final class VerdictLook {
 
     /** The colour for a verdict's words on that ground. */
     public static Color colour(String verdict, Color ground) {
-        Color own = right(verdict) ? MethodColours.GREEN : MethodColours.VERMILLION;
-        return MethodColours.textOn(ground, own);
+        Color own = right(verdict) ? MethodColors.GREEN : MethodColors.VERMILLION;
+        return MethodColors.textOn(ground, own);
     }
 
     private static boolean right(String verdict) {

@@ -31,7 +31,7 @@ import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
 import org.fife.ui.rsyntaxtextarea.Theme;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import rasterlab.app.canvas.KeyBinding;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise.Form;
@@ -135,8 +135,8 @@ public final class SourceEditor extends JPanel {
 
     private static void makeReadable(Style style, Color paper) {
         Color ground = style.background == null ? paper : style.background;
-        if (style.foreground != null && MethodColours.contrast(style.foreground, ground) < 4.5)
-            style.foreground = MethodColours.textOn(ground, style.foreground);
+        if (style.foreground != null && MethodColors.contrast(style.foreground, ground) < 4.5)
+            style.foreground = MethodColors.textOn(ground, style.foreground);
     }
 
     /** Measures its type off the screen too, where a component has no graphics of its own. */

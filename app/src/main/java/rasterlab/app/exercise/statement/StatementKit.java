@@ -11,7 +11,7 @@ import javax.swing.text.html.HTML;
 import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.ParagraphView;
 import javax.swing.text.html.StyleSheet;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.exercise.outcome.VerdictLook;
 import rasterlab.exercises.formula.Typeset;
 
@@ -57,7 +57,7 @@ final class StatementKit extends HTMLEditorKit {
         var style = new StyleSheet();
         style.addStyleSheet(usual);
         String line = css(UIManager.getColor("Component.borderColor"));
-        String code = css(StageColours.now().margin());
+        String code = css(StageColors.now().margin());
         int size = UIManager.getFont("Label.font").getSize();
         style.addRule("body { margin: 0 }");
         style.addRule("h1 { font-size: " + (size + 7) + "pt; margin: 6 0 6 0 }");
@@ -83,7 +83,7 @@ final class StatementKit extends HTMLEditorKit {
         style.addRule("p.displayed { text-align: center; margin: 6 0 4 0 }");
         style.addRule(
                 "i.mistake { color: "
-                        + css(VerdictLook.colour("wrong", StageColours.now().ground()))
+                        + css(VerdictLook.colour("wrong", StageColors.now().ground()))
                         + " }");
         return style;
     }

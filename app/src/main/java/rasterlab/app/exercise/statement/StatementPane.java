@@ -13,7 +13,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javax.swing.JEditorPane;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.work.Settling;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.StatementPicture;
@@ -42,7 +42,7 @@ public final class StatementPane extends JEditorPane implements Settling {
         this.onFailure = onFailure;
         setName("statement");
         setEditable(false);
-        setBackground(StageColours.now().ground());
+        setBackground(StageColors.now().ground());
         setEditorKit(kit);
         getAccessibleContext().setAccessibleName(accessibleName);
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
@@ -145,7 +145,7 @@ public final class StatementPane extends JEditorPane implements Settling {
     /** One square for each character: {@code #} lit, {@code .} not. */
     private static Image squares(List<String> rows) {
         int cell = UIScale.scale(CELL);
-        var colours = StageColours.now();
+        var colours = StageColors.now();
         var image =
                 new BufferedImage(
                         rows.get(0).length() * cell + 1,

@@ -11,10 +11,10 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.Locale;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Texts;
-import rasterlab.app.light.ColourChoice;
+import rasterlab.app.light.ColorChoice;
 import rasterlab.contract.ColorModel;
 
 /**
@@ -41,7 +41,7 @@ final class CubePainter {
     private static final int EDGE = 6;
 
     private final Graphics2D g;
-    private final ColourChoice colour;
+    private final ColorChoice colour;
     private final Texts texts;
     private final double middleX;
     private final double middleY;
@@ -49,7 +49,7 @@ final class CubePainter {
     private final int width;
     private final int height;
 
-    CubePainter(Graphics2D g, ColourChoice colour, Texts texts, int width, int height) {
+    CubePainter(Graphics2D g, ColorChoice colour, Texts texts, int width, int height) {
         this.g = g;
         this.colour = colour;
         this.texts = texts;
@@ -130,7 +130,7 @@ final class CubePainter {
 
     private void edges() {
         g.setStroke(new BasicStroke(1.4f));
-        g.setColor(StageColours.now().ink());
+        g.setColor(StageColors.now().ink());
         for (int axis = 0; axis < 3; axis++)
             for (int k = 0; k < 4; k++) {
                 double[] from = point(axis, 0, k & 1, k >> 1);
@@ -176,7 +176,7 @@ final class CubePainter {
         g.setColor(fill);
         g.fill(ball);
         g.setStroke(new BasicStroke(2f));
-        g.setColor(MethodColours.inkOn(fill));
+        g.setColor(MethodColors.inkOn(fill));
         g.draw(ball);
     }
 
@@ -215,7 +215,7 @@ final class CubePainter {
 
     private void label(String name, double x, double y) {
         var metrics = g.getFontMetrics();
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         int wide = metrics.stringWidth(name);
         Plates.plate(
                 g,
@@ -239,10 +239,10 @@ final class CubePainter {
         var fill = new Color(colour.rgb());
         g.setColor(fill);
         g.fillRoundRect(8, 8, wide, high, 12, 12);
-        g.setColor(StageColours.now().axis());
+        g.setColor(StageColors.now().axis());
         g.setStroke(new BasicStroke(1.2f));
         g.drawRoundRect(8, 8, wide, high, 12, 12);
-        g.setColor(MethodColours.inkOn(fill));
+        g.setColor(MethodColors.inkOn(fill));
         g.drawString(code, 18, 8 + high - 10);
     }
 }

@@ -14,12 +14,12 @@ import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.method.HazardNote;
 import rasterlab.app.language.Texts;
-import rasterlab.app.light.ColourChoice;
+import rasterlab.app.light.ColorChoice;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.mine.OwnMethods;
 
@@ -74,7 +74,7 @@ final class CubeStage extends SelfDrawn {
     }
 
     private void paintAll(Graphics2D g) {
-        g.setColor(StageColours.now().margin());
+        g.setColor(StageColors.now().margin());
         g.fillRect(0, 0, getWidth(), getHeight());
         var cube = (Graphics2D) g.create();
         String said = said();
@@ -92,7 +92,7 @@ final class CubeStage extends SelfDrawn {
     private String said() {
         Optional<HazardNote> note = model.state().note();
         if (note.isPresent()) return note.get().in(texts.language());
-        ColourChoice colour = model.state().colour();
+        ColorChoice colour = model.state().colour();
         if (!colour.method().equals(OwnMethods.NAME)) return "";
         return model.ownTrips(colour).map(trips -> trips.refusalIn(texts.language())).orElse("");
     }

@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Texts;
 import rasterlab.app.light.Lamp;
 import rasterlab.app.light.LightChoice;
@@ -26,7 +26,7 @@ import rasterlab.app.light.LightFrame;
 final class LightPainter {
     /** One for each shading, the same in the profile. */
     static final List<Color> COLOURS =
-            List.of(MethodColours.ORANGE, MethodColours.SKY_BLUE, MethodColours.GREEN);
+            List.of(MethodColors.ORANGE, MethodColors.SKY_BLUE, MethodColors.GREEN);
 
     private static final Stroke WIDE = new BasicStroke(4f, 1, 1);
     private static final Stroke THIN = new BasicStroke(1.6f, 1, 1);
@@ -72,7 +72,7 @@ final class LightPainter {
             over.setColor(Color.BLACK);
             over.draw(ring);
             over.setStroke(new BasicStroke(2f));
-            over.setColor(StageColours.DARK.focus());
+            over.setColor(StageColors.DARK.focus());
             over.draw(ring);
             over.dispose();
         }
@@ -84,8 +84,8 @@ final class LightPainter {
         DevicePixels.paint((Graphics2D) over.create(), picture.raster().image());
         over.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         over.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        if (index > 0) arrows(over, drawn.rightArrows(), MethodColours.SKY_BLUE);
-        arrows(over, index == 0 ? drawn.faceArrows() : drawn.cornerArrows(), MethodColours.YELLOW);
+        if (index > 0) arrows(over, drawn.rightArrows(), MethodColors.SKY_BLUE);
+        arrows(over, index == 0 ? drawn.faceArrows() : drawn.cornerArrows(), MethodColors.YELLOW);
         String name = texts.text("shading." + picture.name());
         over.setFont(over.getFont().deriveFont(Font.BOLD));
         FontMetrics bold = over.getFontMetrics();
@@ -107,7 +107,7 @@ final class LightPainter {
                 plate.x + 4,
                 plate.y + 1 + over.getFontMetrics().getAscent(),
                 colour,
-                MethodColours.inkOn(colour));
+                MethodColors.inkOn(colour));
         over.dispose();
     }
 
@@ -187,7 +187,7 @@ final class LightPainter {
         boolean selected = index == choice.selected();
         double radius = selected ? 10 : 9;
         over.setStroke(selected ? new BasicStroke(2.4f) : THIN);
-        Color frame = selected ? StageColours.DARK.focus() : Color.WHITE;
+        Color frame = selected ? StageColors.DARK.focus() : Color.WHITE;
         for (int ray = 0; ray < 8; ray++) {
             double angle = ray * Math.PI / 4;
             double x = Math.cos(angle);
@@ -210,7 +210,7 @@ final class LightPainter {
         over.setColor(frame);
         over.draw(disc);
         String number = Integer.toString(index + 1);
-        over.setColor(MethodColours.inkOn(fill));
+        over.setColor(MethodColors.inkOn(fill));
         over.setFont(over.getFont().deriveFont(Font.BOLD));
         float width = over.getFontMetrics().stringWidth(number);
         over.drawString(

@@ -23,7 +23,7 @@ import rasterlab.app.canvas.lab.StageGuide;
 import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.light.ColourChoice;
+import rasterlab.app.light.ColorChoice;
 import rasterlab.app.light.Lamp;
 import rasterlab.app.light.LightChoice;
 import rasterlab.app.light.LightFrame;
@@ -51,7 +51,7 @@ public final class LightPanel extends LabPanel {
     private final CubeStage cube;
     private final transient RowCard rows;
     private final transient LightInspector light;
-    private final transient ColourInspector colours;
+    private final transient ColorInspector colours;
     private final StepPlayer orbit;
     private final StepPlayer turning;
     private final transient LitSceneSaving saving;
@@ -71,7 +71,7 @@ public final class LightPanel extends LabPanel {
         setName("light");
         texts = Texts.of("light", language);
         light = new LightInspector(model, texts);
-        colours = new ColourInspector(model, texts);
+        colours = new ColorInspector(model, texts);
         stage = new LightStage(model, texts);
         cube = new CubeStage(model, texts);
         Texts canvas = Texts.of("canvas", language);
@@ -91,7 +91,7 @@ public final class LightPanel extends LabPanel {
         lightActions.addQuestions(
                 () -> model.state().choice().arrows() ? "vertex-normals" : "shade-face");
         colourActions.addCopy(
-                "copyCommand", told -> told.accept(ColourCommand.of(model.state().colour())));
+                "copyCommand", told -> told.accept(ColorCommand.of(model.state().colour())));
         rows = new RowCard(shown, cards, this::rows);
         orbit.bindKeys(stage);
         turning.bindKeys(cube);
@@ -118,7 +118,7 @@ public final class LightPanel extends LabPanel {
                                         this::lit,
                                         this::normals,
                                         this::chooseNormals,
-                                        LightColours.OWN,
+                                        LightColors.OWN,
                                         name -> texts.text("normals." + name),
                                         texts.text("unjudged")));
         addCard(layout, ModeRow.LIGHT);
@@ -133,7 +133,7 @@ public final class LightPanel extends LabPanel {
                                         () -> model.state().colour().rgb(),
                                         () -> model.state().colour().method(),
                                         name -> model.colour(colour -> colour.withMethod(name)),
-                                        LightColours.OWN));
+                                        LightColors.OWN));
         addCard(layout, ModeRow.COLOURS);
     }
 
@@ -258,8 +258,8 @@ public final class LightPanel extends LabPanel {
                         }));
     }
 
-    private static ColourChoice withRgb(ColourChoice colour, double... rgb) {
-        ColourChoice next = colour;
+    private static ColorChoice withRgb(ColorChoice colour, double... rgb) {
+        ColorChoice next = colour;
         for (int i = 0; i < 3; i++) next = next.with(ColorModel.RGB, i, rgb[i]);
         return next;
     }

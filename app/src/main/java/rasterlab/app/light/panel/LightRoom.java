@@ -91,7 +91,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     }
 
     private TopicCard<LightLabModel> card(String topic, TopicWay<LightLabModel> way) {
-        return new TopicCard<>(topic, this, LightColours.OWN, way);
+        return new TopicCard<>(topic, this, LightColors.OWN, way);
     }
 
     /**

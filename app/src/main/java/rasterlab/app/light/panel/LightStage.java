@@ -18,7 +18,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.work.Settling;
@@ -128,7 +128,7 @@ public final class LightStage extends SelfDrawn implements Settling {
     }
 
     private void paintAll(Graphics2D g) {
-        g.setColor(StageColours.now().margin());
+        g.setColor(StageColors.now().margin());
         g.fillRect(0, 0, getWidth(), getHeight());
         g.setFont(PictureType.in(getSize()));
         LightLabState state = model.state();

@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import rasterlab.app.light.ColourChoice;
+import rasterlab.app.light.ColorChoice;
 import rasterlab.app.light.Lamp;
 import rasterlab.app.light.LightChoice;
 import rasterlab.app.light.LightFrame;
@@ -29,7 +29,7 @@ final class LitInputs {
     private LitInputs() {}
 
     /** The colour as it was written. */
-    static Colors colour(ColourChoice choice) {
+    static Colors colour(ColorChoice choice) {
         return Colors.of(choice.model(), choice.in(choice.model()));
     }
 

@@ -13,8 +13,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Texts;
 import rasterlab.app.light.LightFrame;
 
@@ -33,7 +33,7 @@ final class ProfilePainter {
     private final Graphics2D g;
     private final Texts texts;
     private final LightFrame.Drawn drawn;
-    private final StageColours colours = StageColours.now();
+    private final StageColors colours = StageColors.now();
 
     ProfilePainter(Graphics2D g, Texts texts, LightFrame.Drawn drawn) {
         this.g = g;
@@ -61,7 +61,7 @@ final class ProfilePainter {
         boolean mach = drawn.choice().mach();
         for (int i = 0; i < drawn.pictures().size(); i++) {
             LightFrame.Picture picture = drawn.pictures().get(i);
-            Color colour = MethodColours.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
+            Color colour = MethodColors.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
             if (mach) curve(picture.reported(), box, colour, true);
             curve(picture.brightness(), box, colour, false);
         }
@@ -155,7 +155,7 @@ final class ProfilePainter {
         for (int i = 0; i < drawn.pictures().size(); i++) {
             LightFrame.Picture picture = drawn.pictures().get(i);
             if (picture.brightness().length == 0) continue;
-            Color colour = MethodColours.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
+            Color colour = MethodColors.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
             entries.add(new Legend.Entry(texts.text("shading." + picture.name()), colour, false));
         }
         if (drawn.choice().mach())

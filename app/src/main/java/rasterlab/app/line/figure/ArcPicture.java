@@ -10,10 +10,10 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.line.trace.AloneMark;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelSet;
 
@@ -36,11 +36,10 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
-        Color colour = LineColours.OWN.of(drawing.method());
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
+        Color colour = LineColors.OWN.of(drawing.method());
         Color edge =
-                MethodColours.mix(
-                        MethodColours.edgeOn(colours.ground(), colour), colours.ink(), 0.4);
+                MethodColors.mix(MethodColors.edgeOn(colours.ground(), colour), colours.ink(), 0.4);
         Rectangle view = g.getClipBounds();
         double size = Math.max(1, map.scaleX());
         for (int i = 0; i < step; i++) {
@@ -72,7 +71,7 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
         return new Rectangle2D.Double(map.viewX(x) - size / 2, map.viewY(y) - size / 2, size, size);
     }
 
-    private void paintCurve(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintCurve(Graphics2D g, PlaneMap map, StageColors colours) {
         if (arc.radiusX() < 0 || arc.radiusY() < 0) return;
         var curve =
                 new Ellipse2D.Double(
@@ -88,7 +87,7 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
         g.draw(curve);
     }
 
-    private void alone(Graphics2D g, PlaneMap map, StageColours colours, double size) {
+    private void alone(Graphics2D g, PlaneMap map, StageColors colours, double size) {
         for (int i = 0; i < alone.size(); i++) {
             Rectangle2D pixel = pixel(map, alone.x(i), alone.y(i), size);
             if (g.getClipBounds().intersects(pixel)) AloneMark.paint(g, colours, pixel);
@@ -105,7 +104,7 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
                 PixelMark.AGAIN.paint(g, pixel.getX(), pixel.getY(), size);
                 continue;
             }
-            g.setColor(MethodColours.VERMILLION);
+            g.setColor(MethodColors.VERMILLION);
             g.fill(pixel);
         }
     }
@@ -115,7 +114,7 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
             if (mark == PixelMark.EXTRA && !isLit(wrong.x(i), wrong.y(i))) continue;
             Rectangle2D pixel = pixel(map, wrong.x(i), wrong.y(i), size);
             if (!g.getClipBounds().intersects(pixel)) continue;
-            g.setColor(MethodColours.VERMILLION);
+            g.setColor(MethodColors.VERMILLION);
             if (size < ROOMY) g.fill(pixel);
             else mark.paint(g, pixel.getX(), pixel.getY(), size);
         }

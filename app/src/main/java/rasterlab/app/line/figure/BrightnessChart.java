@@ -16,7 +16,7 @@ import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineColors;
 import rasterlab.app.line.trace.LineMode;
 
 /** Light that lines get for each pixel of their length, over their angle in degrees. */
@@ -108,7 +108,7 @@ public final class BrightnessChart {
                 .setYAxisMin(0.0)
                 .setYAxisMax(HIGHEST);
         chart.getStyler().setLegendPosition(LegendPosition.OutsideS);
-        Map<String, MethodLook> looks = MethodLook.of(known(), LineColours.OWN);
+        Map<String, MethodLook> looks = MethodLook.of(known(), LineColors.OWN);
         int number = 0;
         for (List<String> alike : alike())
             add(chart, alike, looks.get(alike.get(0)).unmarked(number++));

@@ -11,9 +11,9 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
-import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
+import rasterlab.app.line.trace.LineColors;
 
 /** Light for a pixel of length against the angle to the rows in degrees, method by method. */
 record BrightnessPicture(
@@ -35,9 +35,9 @@ record BrightnessPicture(
     static final double TOP = 1.1;
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
         nameAxes(g, map, colours);
-        Color faint = MethodColours.mix(colours.axis(), colours.ink(), 0.3);
+        Color faint = MethodColors.mix(colours.axis(), colours.ink(), 0.3);
         g.setColor(faint);
         g.setStroke(dashed());
         double y = map.viewY(1);
@@ -54,7 +54,7 @@ record BrightnessPicture(
      * Writes the axes' names beyond the curves: below the end of the one axis, over the end of the
      * other.
      */
-    private void nameAxes(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void nameAxes(Graphics2D g, PlaneMap map, StageColors colours) {
         FontMetrics metrics = g.getFontMetrics();
         double right = map.viewX(SlopeFigure.STEEPEST) - metrics.stringWidth(words.degrees);
         plate(g, words.degrees, right, map.viewY(0) + metrics.getAscent() + 5, colours);
@@ -66,7 +66,7 @@ record BrightnessPicture(
                 1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {6, 4}, 0);
     }
 
-    private void curve(Graphics2D g, PlaneMap map, StageColours colours, int method) {
+    private void curve(Graphics2D g, PlaneMap map, StageColors colours, int method) {
         var path = new Path2D.Double();
         for (int degrees = 0; degrees < light.get(method).size(); degrees++) {
             double at = light.get(method).get(degrees);
@@ -89,14 +89,14 @@ record BrightnessPicture(
     }
 
     /** The method's own colour where it can be seen: darkened, sky blue would be taken for blue. */
-    private Color ink(StageColours colours, int method) {
-        Color own = LineColours.OWN.of(methods.get(method));
-        boolean seen = MethodColours.contrast(own, colours.ground()) >= SEEN;
-        return seen ? own : MethodColours.edgeOn(colours.ground(), own);
+    private Color ink(StageColors colours, int method) {
+        Color own = LineColors.OWN.of(methods.get(method));
+        boolean seen = MethodColors.contrast(own, colours.ground()) >= SEEN;
+        return seen ? own : MethodColors.edgeOn(colours.ground(), own);
     }
 
     /** Writes the methods' names below each other in the lower left corner. */
-    private void key(Graphics2D g, PlaneMap map, StageColours colours, int method) {
+    private void key(Graphics2D g, PlaneMap map, StageColors colours, int method) {
         FontMetrics metrics = g.getFontMetrics();
         double y = map.viewY(0.08) - (methods.size() - 1 - method) * (metrics.getHeight() + 6);
         double x = map.viewX(4);
@@ -106,8 +106,7 @@ record BrightnessPicture(
         plate(g, methods.get(method), x + 34, y, colours);
     }
 
-    private static void plate(
-            Graphics2D g, String words, double x, double y, StageColours colours) {
+    private static void plate(Graphics2D g, String words, double x, double y, StageColors colours) {
         Plates.plate(g, words, (int) x, (int) y, colours.ground(), colours.ink());
     }
 }

@@ -9,8 +9,8 @@ import java.awt.geom.Path2D;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.line.trace.RasterPoint;
 import rasterlab.engine.raster.Raster;
 
@@ -24,8 +24,8 @@ record PenPicture(PenFigure figure) implements PlanePicture {
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
-        Raster raster = figure.picture(colours.ground().getRGB(), MethodColours.BLUE.getRGB());
+    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
+        Raster raster = figure.picture(colours.ground().getRGB(), MethodColors.BLUE.getRGB());
         double left = map.viewX(-0.5);
         double top = map.viewY(-0.5);
         double right = map.viewX(PenFigure.WIDTH - 0.5);
@@ -53,7 +53,7 @@ record PenPicture(PenFigure figure) implements PlanePicture {
         paintLine(g, map, colours);
     }
 
-    private void paintLine(Graphics2D g, PlaneMap map, StageColours colours) {
+    private void paintLine(Graphics2D g, PlaneMap map, StageColors colours) {
         var path = new Path2D.Double();
         for (RasterPoint point : figure.points()) {
             double x = map.viewX(point.x());

@@ -8,7 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 
 /** A lozenge: of two methods only one lights this pixel, be it right or wrong. */
 public final class AloneMark extends FlatAbstractIcon {
@@ -28,7 +28,7 @@ public final class AloneMark extends FlatAbstractIcon {
      * Paints the mark whole, also where the pixel has a mark of its own, over which it is to be
      * painted.
      */
-    public static void paint(Graphics2D g, StageColours colours, Rectangle2D pixel) {
+    public static void paint(Graphics2D g, StageColors colours, Rectangle2D pixel) {
         if (pixel.getWidth() < ROOMY) {
             double size = Math.max(SMALLEST_DOT, pixel.getWidth());
             g.setColor(colours.ink());
@@ -67,6 +67,6 @@ public final class AloneMark extends FlatAbstractIcon {
     protected void paintIcon(Component c, Graphics2D g) {
         double side = SIZE * 0.7;
         double inset = (SIZE - side) / 2;
-        paint(g, StageColours.now(), new Rectangle2D.Double(inset, inset, side, side));
+        paint(g, StageColors.now(), new Rectangle2D.Double(inset, inset, side, side));
     }
 }

@@ -7,7 +7,7 @@ import java.awt.Font;
 import java.util.Map;
 import javax.swing.UIManager;
 import javax.swing.plaf.InsetsUIResource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 
 /** The window's colours; the projector's are also shown in larger type. */
 public enum LabTheme {
@@ -49,7 +49,7 @@ public enum LabTheme {
         // This comes before any other use of UIManager, which would set up Java's own look.
         if (this == DARK) FlatDarkLaf.setup();
         else FlatLightLaf.setup();
-        UIManager.put(StageColours.HIGH_CONTRAST, this == PROJECTOR);
+        UIManager.put(StageColors.HIGH_CONTRAST, this == PROJECTOR);
         Font usual = UIManager.getLookAndFeelDefaults().getFont("defaultFont");
         double size = usual.getSize2D() * type * textPercent / 100;
         UIManager.put("defaultFont", usual.deriveFont((float) size));

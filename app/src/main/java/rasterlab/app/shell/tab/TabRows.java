@@ -13,8 +13,8 @@ import java.awt.LayoutManager;
 import java.awt.Rectangle;
 import java.util.Arrays;
 import java.util.List;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 
 /**
  * Titles of tabs in as many rows as they need, each in its place whichever is chosen: the first row
@@ -53,7 +53,7 @@ final class TabRows extends FlatTabbedPaneUI {
     }
 
     private static void frame(Graphics2D g, int width, int height) {
-        g.setColor(StageColours.now().focus());
+        g.setColor(StageColors.now().focus());
         g.setStroke(new BasicStroke(UIScale.scale(2f)));
         int inset = UIScale.scale(1);
         g.drawRect(inset, inset, width - 2 * inset, height - 2 * inset);
@@ -65,7 +65,7 @@ final class TabRows extends FlatTabbedPaneUI {
     protected Color getTabBackground(int tabPlacement, int tabIndex, boolean isSelected) {
         Color usual = super.getTabBackground(tabPlacement, tabIndex, isSelected);
         return isSelected && runCount > 1
-                ? MethodColours.mix(tabPane.getBackground(), underlineColor, CHOSEN)
+                ? MethodColors.mix(tabPane.getBackground(), underlineColor, CHOSEN)
                 : usual;
     }
 

@@ -14,8 +14,8 @@ import java.util.List;
 import java.util.Optional;
 import javax.accessibility.AccessibleRole;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.StageColors;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.engine.spline.curve.SpanForm;
 
 /** The blending functions of a span over u in [0, 1], with a dot on each at the present u. */
@@ -25,11 +25,11 @@ public final class BlendingChart extends SelfDrawn {
     private static final int SAMPLES = 64;
     private static final List<Color> COLOURS =
             List.of(
-                    MethodColours.BLUE,
-                    MethodColours.ORANGE,
-                    MethodColours.GREEN,
-                    MethodColours.PURPLE,
-                    MethodColours.SKY_BLUE);
+                    MethodColors.BLUE,
+                    MethodColors.ORANGE,
+                    MethodColors.GREEN,
+                    MethodColors.PURPLE,
+                    MethodColors.SKY_BLUE);
 
     private transient Optional<SpanForm> form = Optional.empty();
 
@@ -55,7 +55,7 @@ public final class BlendingChart extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        StageColours colours = StageColours.now();
+        StageColors colours = StageColors.now();
         g.setColor(colours.ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         g.setColor(colours.axis());
@@ -64,7 +64,7 @@ public final class BlendingChart extends SelfDrawn {
         g.dispose();
     }
 
-    private void paint(Graphics2D g, SpanForm shown, StageColours colours) {
+    private void paint(Graphics2D g, SpanForm shown, StageColors colours) {
         double low = lowest(shown);
         double high = Math.max(1, highest(shown));
         var axes = new Axes(low, high, getWidth(), getHeight());
@@ -74,7 +74,7 @@ public final class BlendingChart extends SelfDrawn {
         g.draw(new Line2D.Double(0, axes.y(0), getWidth(), axes.y(0)));
         g.draw(new Line2D.Double(axes.x(shown.u()), 0, axes.x(shown.u()), getHeight()));
         for (int i = 0; i < shown.weights().length; i++) {
-            Color colour = MethodColours.edgeOn(colours.ground(), COLOURS.get(i % COLOURS.size()));
+            Color colour = MethodColors.edgeOn(colours.ground(), COLOURS.get(i % COLOURS.size()));
             var path = new Path2D.Double();
             for (int k = 0; k <= SAMPLES; k++) {
                 double u = (double) k / SAMPLES;

@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.knowm.xchart.internal.chartpart.Annotation;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 
 /**
  * Sizes beside their points, none on another or on a point: each as close to its point as there is
@@ -109,8 +109,8 @@ final class SizeLabels extends Annotation {
     }
 
     private void draw(Graphics2D graphics, Label label, LabelPlaces.Place place) {
-        Color ink = MethodColours.textOn(ground, label.colour());
-        graphics.setColor(MethodColours.edgeOn(ground, MethodColours.mix(ground, ink, LEADER)));
+        Color ink = MethodColors.textOn(ground, label.colour());
+        graphics.setColor(MethodColors.edgeOn(ground, MethodColors.mix(ground, ink, LEADER)));
         graphics.setStroke(new BasicStroke(1));
         place.leader().ifPresent(graphics::draw);
         graphics.setColor(ink);

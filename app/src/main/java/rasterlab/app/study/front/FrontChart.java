@@ -9,7 +9,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.study.chart.StudyWords;
@@ -156,7 +156,7 @@ public final class FrontChart implements StudyPicture {
     private Color colour(Measurement point) {
         Color colour = looks.get(point.method()).colour();
         return front.isBeaten(point.method())
-                ? MethodColours.mix(paper.ground(), colour, PALE)
+                ? MethodColors.mix(paper.ground(), colour, PALE)
                 : colour;
     }
 
@@ -222,7 +222,7 @@ public final class FrontChart implements StudyPicture {
                                         front.isBeaten(spot.point().method())
                                                 ? paper.note()
                                                 : paper.ink(),
-                                        MethodColours.mix(
+                                        MethodColors.mix(
                                                 paper.ground(), colour(spot.point()), LEADER)))
                 .toList();
     }

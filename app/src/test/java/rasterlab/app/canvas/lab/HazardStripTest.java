@@ -18,7 +18,7 @@ import javax.swing.JPanel;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -26,7 +26,7 @@ import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.study.Verdict;
 
 class HazardStripTest {
-    private static final TopicColours NONE = new TopicColours(Map.of());
+    private static final TopicColors NONE = new TopicColors(Map.of());
 
     private final JPanel chips = new JPanel();
     private String input = "first";

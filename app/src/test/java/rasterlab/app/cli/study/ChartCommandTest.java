@@ -20,7 +20,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.cli.Ran;
 import rasterlab.app.rooms.LabRooms;
 
@@ -113,8 +113,8 @@ class ChartCommandTest {
         assertEquals("wrote " + png + "\nwrote " + csv + "\n", ran.err());
         BufferedImage picture = ImageIO.read(png.toFile());
         assertEquals("1000×700", picture.getWidth() + "×" + picture.getHeight());
-        assertFalse(has(picture, MethodColours.BLUE, 500, 0), "the curve does not fall");
-        assertTrue(has(picture, MethodColours.BLUE, 500, 350), "the curve does not end low");
+        assertFalse(has(picture, MethodColors.BLUE, 500, 0), "the curve does not fall");
+        assertTrue(has(picture, MethodColors.BLUE, 500, 350), "the curve does not end low");
         List<String> lines = Files.readAllLines(csv);
         assertEquals("distance,gamma,stretch", lines.get(0));
         assertEquals("0.25,9.0,runs-away", lines.get(1));

@@ -15,11 +15,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.SvgPicture;
-import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.canvas.work.ModelThread;
-import rasterlab.app.coordinates.figure.FigureColours;
+import rasterlab.app.coordinates.figure.FigureColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.UsualLook;
@@ -39,8 +39,7 @@ class DriftChartTest {
     @EnumSource(Language.class)
     void curvesHaveAThirdOfTheSmallestChart(Language language) {
         BufferedImage image = painted(language, 380, 270);
-        Color curve =
-                MethodColours.edgeOn(StageColours.now().ground(), FigureColours.OWN.of("float"));
+        Color curve = MethodColors.edgeOn(StageColors.now().ground(), FigureColors.OWN.of("float"));
         int left = image.getWidth();
         int right = 0;
         for (int y = 0; y < image.getHeight(); y++)

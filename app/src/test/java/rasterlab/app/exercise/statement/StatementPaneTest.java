@@ -23,7 +23,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -97,7 +97,7 @@ class StatementPaneTest {
         StatementPane pane = settled("$\\boxed{E}$", theme, 200);
         var made = new BufferedImage[1];
         EventQueue.invokeAndWait(() -> made[0] = painted(pane, 200, 100));
-        double ground = brightness(StageColours.now().ground());
+        double ground = brightness(StageColors.now().ground());
         double text = brightness(pane.getForeground());
         double farthest = 0;
         for (int y = 0; y < 100; y++)

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
@@ -137,18 +137,18 @@ class StudyChartTest {
     void noTwoMethodsOfATopicLookTheSame() {
         Topics.all().forEach(topic -> assertDistinct(names(topic), colours(topic)));
         assertDistinct(
-                IntStream.range(0, 77).mapToObj(i -> "m" + i).toList(), new TopicColours(Map.of()));
+                IntStream.range(0, 77).mapToObj(i -> "m" + i).toList(), new TopicColors(Map.of()));
     }
 
     private static List<String> names(Topic<?, ?, ?> topic) {
         return topic.methods().stream().map(Method::name).toList();
     }
 
-    private static TopicColours colours(Topic<?, ?, ?> topic) {
+    private static TopicColors colours(Topic<?, ?, ?> topic) {
         return LabRooms.card(topic.name()).colours();
     }
 
-    private static void assertDistinct(List<String> methods, TopicColours colours) {
+    private static void assertDistinct(List<String> methods, TopicColors colours) {
         Map<String, MethodLook> looks = MethodLook.of(methods, colours);
         assertEquals(methods.size(), Set.copyOf(looks.values()).size(), methods.toString());
     }

@@ -25,7 +25,7 @@ public final class WirePicture {
 
     private final ViewedMesh view;
     private final WireStyle style;
-    private final LineColors ink;
+    private final WireColors ink;
     private final Optional<DepthFade> fade;
     private final Raster out;
     private final ScreenEdge screen;
@@ -44,7 +44,7 @@ public final class WirePicture {
         this.style = style;
         this.fade = fade;
         this.out = out;
-        ink = LineColors.on(backgroundRgb);
+        ink = WireColors.on(backgroundRgb);
         screen = new ScreenEdge(view);
     }
 

@@ -3,7 +3,7 @@ import rasterlab.contract.PolygonFiller;
 import rasterlab.contract.Spans;
 
 /** Asks each pixel of the picture, and sends each as a span of its own. */
-public class CentreByCentre implements PolygonFiller {
+public class CenterByCenter implements PolygonFiller {
     @Override
     public void fill(double[] x, double[] y, FillRule rule, int width, int height, Spans out) {
         double left = width, right = 0, top = height, bottom = 0;

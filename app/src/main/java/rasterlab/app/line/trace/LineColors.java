@@ -1,24 +1,24 @@
 package rasterlab.app.line.trace;
 
-import static rasterlab.app.canvas.method.MethodColours.BLUE;
-import static rasterlab.app.canvas.method.MethodColours.DARK_GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREY;
-import static rasterlab.app.canvas.method.MethodColours.INDIGO;
-import static rasterlab.app.canvas.method.MethodColours.OLIVE;
-import static rasterlab.app.canvas.method.MethodColours.ORANGE;
-import static rasterlab.app.canvas.method.MethodColours.PURPLE;
-import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
-import static rasterlab.app.canvas.method.MethodColours.WINE;
-import static rasterlab.app.canvas.method.MethodColours.YELLOW;
+import static rasterlab.app.canvas.method.MethodColors.BLUE;
+import static rasterlab.app.canvas.method.MethodColors.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREY;
+import static rasterlab.app.canvas.method.MethodColors.INDIGO;
+import static rasterlab.app.canvas.method.MethodColors.OLIVE;
+import static rasterlab.app.canvas.method.MethodColors.ORANGE;
+import static rasterlab.app.canvas.method.MethodColors.PURPLE;
+import static rasterlab.app.canvas.method.MethodColors.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColors.WINE;
+import static rasterlab.app.canvas.method.MethodColors.YELLOW;
 
 import java.util.Map;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 
 /** The colours of the methods for segments, circles and ellipses. */
-public final class LineColours {
-    public static final TopicColours OWN =
-            new TopicColours(
+public final class LineColors {
+    public static final TopicColors OWN =
+            new TopicColors(
                     Map.ofEntries(
                             Map.entry("naive-textbook", SKY_BLUE),
                             Map.entry("naive", ORANGE),
@@ -33,5 +33,5 @@ public final class LineColours {
                             Map.entry("wu", WINE),
                             Map.entry("parametric", GREEN)));
 
-    private LineColours() {}
+    private LineColors() {}
 }

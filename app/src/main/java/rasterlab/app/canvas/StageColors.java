@@ -14,13 +14,13 @@ import javax.swing.UIManager;
  * @param margin behind the rulers
  * @param focus around what has the keyboard
  */
-public record StageColours(
+public record StageColors(
         Color ground, Color grid, Color axis, Color ink, Color margin, Color focus) {
     /** Key of {@code UIManager} that says whether the theme is one of high contrast. */
     public static final String HIGH_CONTRAST = "Rasterlab.highContrast";
 
-    public static final StageColours LIGHT =
-            new StageColours(
+    public static final StageColors LIGHT =
+            new StageColors(
                     Color.WHITE,
                     new Color(0xE3E6EA),
                     new Color(0x9AA3AD),
@@ -28,8 +28,8 @@ public record StageColours(
                     new Color(0xF3F5F7),
                     new Color(0x0A63C9));
 
-    public static final StageColours DARK =
-            new StageColours(
+    public static final StageColors DARK =
+            new StageColors(
                     new Color(0x1B1D20),
                     new Color(0x33373C),
                     new Color(0x767E87),
@@ -38,8 +38,8 @@ public record StageColours(
                     new Color(0x6CB2FF));
 
     /** The colours for a projector, whose weak greys are lost on the wall. */
-    public static final StageColours PROJECTOR =
-            new StageColours(
+    public static final StageColors PROJECTOR =
+            new StageColors(
                     Color.WHITE,
                     new Color(0xB4BAC2),
                     new Color(0x4A5159),
@@ -48,7 +48,7 @@ public record StageColours(
                     new Color(0x0050B3));
 
     /** The colours for the theme that is installed. */
-    public static StageColours now() {
+    public static StageColors now() {
         if (UIManager.getBoolean(HIGH_CONTRAST)) return PROJECTOR;
         return FlatLaf.isLafDark() ? DARK : LIGHT;
     }

@@ -9,16 +9,16 @@ import java.util.Map;
 /**
  * The colours of the methods of a lab's topics; a method of several of them has one colour.
  *
- * @param own of the palette of {@link MethodColours}, by the names of the methods that have one
+ * @param own of the palette of {@link MethodColors}, by the names of the methods that have one
  */
-public record TopicColours(Map<String, Color> own) {
-    public TopicColours {
+public record TopicColors(Map<String, Color> own) {
+    public TopicColors {
         own = Map.copyOf(own);
     }
 
-    /** The method's own colour; {@link MethodColours#INDIGO} where it has none. */
+    /** The method's own colour; {@link MethodColors#INDIGO} where it has none. */
     public Color of(String method) {
-        return own.getOrDefault(method, MethodColours.INDIGO);
+        return own.getOrDefault(method, MethodColors.INDIGO);
     }
 
     /** Whether the method has a colour of its own. */
@@ -31,9 +31,9 @@ public record TopicColours(Map<String, Color> own) {
      * is left of the palette, which begins again when it is used up.
      */
     public Map<String, Color> among(List<String> methods) {
-        var left = new ArrayList<Color>(MethodColours.PALETTE);
+        var left = new ArrayList<Color>(MethodColors.PALETTE);
         methods.forEach(method -> left.remove(own.get(method)));
-        if (left.isEmpty()) left.addAll(MethodColours.PALETTE);
+        if (left.isEmpty()) left.addAll(MethodColors.PALETTE);
         var colours = new LinkedHashMap<String, Color>();
         int next = 0;
         for (String method : methods) {

@@ -16,7 +16,7 @@ import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
-import rasterlab.app.light.ColourChoice;
+import rasterlab.app.light.ColorChoice;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.light.OwnTrips;
 import rasterlab.app.mine.OwnMethods;
@@ -25,7 +25,7 @@ import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.study.Method;
 
 /** One colour on the sliders of all models, and how it comes back from each. */
-final class ColourInspector {
+final class ColorInspector {
     private static final int NOTCHES = 255;
 
     private final LightLabModel model;
@@ -41,7 +41,7 @@ final class ColourInspector {
 
     private record Row(ColorModel model, int index, NumberSlider slider) {}
 
-    ColourInspector(LightLabModel model, Texts texts) {
+    ColorInspector(LightLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
         explanations = TopicTexts.of("color", texts.language()).texts();
@@ -110,7 +110,7 @@ final class ColourInspector {
     /** Shows the model's present state. */
     void refresh() {
         mode.refresh();
-        ColourChoice colour = model.state().colour();
+        ColorChoice colour = model.state().colour();
         hex.setText(
                 String.format(Locale.ROOT, "#%06X", colour.rgb())
                         + (colour.outside() ? "   " + texts.text("outside") : ""));

@@ -1,24 +1,24 @@
 package rasterlab.app.spline;
 
-import static rasterlab.app.canvas.method.MethodColours.BLUE;
-import static rasterlab.app.canvas.method.MethodColours.GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREY;
-import static rasterlab.app.canvas.method.MethodColours.OLIVE;
-import static rasterlab.app.canvas.method.MethodColours.ORANGE;
-import static rasterlab.app.canvas.method.MethodColours.PURPLE;
-import static rasterlab.app.canvas.method.MethodColours.ROSE;
-import static rasterlab.app.canvas.method.MethodColours.SAND;
-import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
-import static rasterlab.app.canvas.method.MethodColours.WINE;
-import static rasterlab.app.canvas.method.MethodColours.YELLOW;
+import static rasterlab.app.canvas.method.MethodColors.BLUE;
+import static rasterlab.app.canvas.method.MethodColors.GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREY;
+import static rasterlab.app.canvas.method.MethodColors.OLIVE;
+import static rasterlab.app.canvas.method.MethodColors.ORANGE;
+import static rasterlab.app.canvas.method.MethodColors.PURPLE;
+import static rasterlab.app.canvas.method.MethodColors.ROSE;
+import static rasterlab.app.canvas.method.MethodColors.SAND;
+import static rasterlab.app.canvas.method.MethodColors.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColors.WINE;
+import static rasterlab.app.canvas.method.MethodColors.YELLOW;
 
 import java.util.Map;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 
 /** The colours of the methods for curves and functions. */
-final class SplineColours {
-    static final TopicColours OWN =
-            new TopicColours(
+final class SplineColors {
+    static final TopicColors OWN =
+            new TopicColors(
                     Map.ofEntries(
                             Map.entry("blending-textbook", SAND),
                             Map.entry("matrix", PURPLE),
@@ -34,5 +34,5 @@ final class SplineColours {
                             Map.entry("cubic", BLUE),
                             Map.entry("monotone", ORANGE)));
 
-    private SplineColours() {}
+    private SplineColors() {}
 }

@@ -13,7 +13,7 @@ import rasterlab.engine.raster.PixelMark;
  * and dashes help. {@link #VERMILLION} belongs to wrong pixels, no method has it. Source: M. Okabe,
  * K. Ito, Color Universal Design, 2008.
  */
-public final class MethodColours {
+public final class MethodColors {
     public static final Color ORANGE = new Color(0xE69F00);
     public static final Color SKY_BLUE = new Color(0x56B4E9);
     public static final Color GREEN = new Color(0x009E73);
@@ -86,7 +86,7 @@ public final class MethodColours {
                     SAND,
                     VIOLET);
 
-    private MethodColours() {}
+    private MethodColors() {}
 
     /**
      * The colour's darker or lighter kin that stands out from a ground with a contrast of at least

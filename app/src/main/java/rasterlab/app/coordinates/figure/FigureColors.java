@@ -1,21 +1,21 @@
 package rasterlab.app.coordinates.figure;
 
-import static rasterlab.app.canvas.method.MethodColours.BLUE;
-import static rasterlab.app.canvas.method.MethodColours.GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREY;
-import static rasterlab.app.canvas.method.MethodColours.OLIVE;
-import static rasterlab.app.canvas.method.MethodColours.ORANGE;
-import static rasterlab.app.canvas.method.MethodColours.PURPLE;
-import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
-import static rasterlab.app.canvas.method.MethodColours.WINE;
+import static rasterlab.app.canvas.method.MethodColors.BLUE;
+import static rasterlab.app.canvas.method.MethodColors.GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREY;
+import static rasterlab.app.canvas.method.MethodColors.OLIVE;
+import static rasterlab.app.canvas.method.MethodColors.ORANGE;
+import static rasterlab.app.canvas.method.MethodColors.PURPLE;
+import static rasterlab.app.canvas.method.MethodColors.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColors.WINE;
 
 import java.util.Map;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 
 /** The colours of the methods for coordinates. */
-public final class FigureColours {
-    public static final TopicColours OWN =
-            new TopicColours(
+public final class FigureColors {
+    public static final TopicColors OWN =
+            new TopicColors(
                     Map.ofEntries(
                             Map.entry("direct", BLUE),
                             Map.entry("float", GREY),
@@ -31,5 +31,5 @@ public final class FigureColours {
                             Map.entry("double", BLUE),
                             Map.entry("double-double", GREEN)));
 
-    private FigureColours() {}
+    private FigureColors() {}
 }

@@ -1,22 +1,22 @@
 package rasterlab.app.clip;
 
-import static rasterlab.app.canvas.method.MethodColours.BLUE;
-import static rasterlab.app.canvas.method.MethodColours.DARK_GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREEN;
-import static rasterlab.app.canvas.method.MethodColours.OLIVE;
-import static rasterlab.app.canvas.method.MethodColours.ORANGE;
-import static rasterlab.app.canvas.method.MethodColours.PURPLE;
-import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
-import static rasterlab.app.canvas.method.MethodColours.WINE;
-import static rasterlab.app.canvas.method.MethodColours.YELLOW;
+import static rasterlab.app.canvas.method.MethodColors.BLUE;
+import static rasterlab.app.canvas.method.MethodColors.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREEN;
+import static rasterlab.app.canvas.method.MethodColors.OLIVE;
+import static rasterlab.app.canvas.method.MethodColors.ORANGE;
+import static rasterlab.app.canvas.method.MethodColors.PURPLE;
+import static rasterlab.app.canvas.method.MethodColors.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColors.WINE;
+import static rasterlab.app.canvas.method.MethodColors.YELLOW;
 
 import java.util.Map;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 
 /** The colours of the methods for clipping. */
-final class ClipColours {
-    static final TopicColours OWN =
-            new TopicColours(
+final class ClipColors {
+    static final TopicColors OWN =
+            new TopicColors(
                     Map.ofEntries(
                             Map.entry("four-lines", GREEN),
                             Map.entry("cohen-sutherland-textbook", PURPLE),
@@ -33,5 +33,5 @@ final class ClipColours {
                             Map.entry("divide-first-textbook", PURPLE),
                             Map.entry("homogeneous", GREEN)));
 
-    private ClipColours() {}
+    private ClipColors() {}
 }

@@ -2,15 +2,15 @@ package rasterlab.app.light.panel;
 
 import rasterlab.app.canvas.lab.CommandInput;
 import rasterlab.app.canvas.method.OwnWords;
-import rasterlab.app.light.ColourChoice;
+import rasterlab.app.light.ColorChoice;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.color.Colors;
 
 /** The shell command that writes the colour in all models. */
-final class ColourCommand {
-    private ColourCommand() {}
+final class ColorCommand {
+    private ColorCommand() {}
 
-    static String of(ColourChoice choice) {
+    static String of(ColorChoice choice) {
         Colors colour = Colors.of(choice.model(), choice.in(choice.model()));
         return "echo '%s' | ./lab run color %s"
                 .formatted(

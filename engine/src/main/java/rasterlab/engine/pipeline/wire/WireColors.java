@@ -12,10 +12,10 @@ package rasterlab.engine.pipeline.wire;
  * @param seen 0xFFRRGGBB
  * @param hidden 0xFFRRGGBB
  */
-record LineColors(int seen, int hidden) {
+record WireColors(int seen, int hidden) {
     private static final double GLARE = 0.05;
 
-    static LineColors on(int backgroundRgb) {
+    static WireColors on(int backgroundRgb) {
         double luminance =
                 0.2126 * linear(backgroundRgb >> 16 & 255)
                         + 0.7152 * linear(backgroundRgb >> 8 & 255)
@@ -23,7 +23,7 @@ record LineColors(int seen, int hidden) {
         boolean dark = (luminance + GLARE) * (luminance + GLARE) < (1 + GLARE) * GLARE;
         int seen = dark ? 0xFFFFFFFF : 0xFF000000;
         int hidden = (seen >>> 1 & 0x7F7F7F) + (backgroundRgb >>> 1 & 0x7F7F7F);
-        return new LineColors(seen, 0xFF000000 | hidden);
+        return new WireColors(seen, 0xFF000000 | hidden);
     }
 
     /** Light from a level of sRGB, 0 to 1. */

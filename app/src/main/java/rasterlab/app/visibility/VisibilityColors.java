@@ -1,32 +1,32 @@
 package rasterlab.app.visibility;
 
-import static rasterlab.app.canvas.method.MethodColours.BLUE;
-import static rasterlab.app.canvas.method.MethodColours.BROWN;
-import static rasterlab.app.canvas.method.MethodColours.DARK_GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREY;
-import static rasterlab.app.canvas.method.MethodColours.INDIGO;
-import static rasterlab.app.canvas.method.MethodColours.MAGENTA;
-import static rasterlab.app.canvas.method.MethodColours.OLIVE;
-import static rasterlab.app.canvas.method.MethodColours.ORANGE;
-import static rasterlab.app.canvas.method.MethodColours.PURPLE;
-import static rasterlab.app.canvas.method.MethodColours.ROSE;
-import static rasterlab.app.canvas.method.MethodColours.SAND;
-import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
-import static rasterlab.app.canvas.method.MethodColours.SLATE;
-import static rasterlab.app.canvas.method.MethodColours.TEAL;
-import static rasterlab.app.canvas.method.MethodColours.VIOLET;
-import static rasterlab.app.canvas.method.MethodColours.WINE;
-import static rasterlab.app.canvas.method.MethodColours.YELLOW;
+import static rasterlab.app.canvas.method.MethodColors.BLUE;
+import static rasterlab.app.canvas.method.MethodColors.BROWN;
+import static rasterlab.app.canvas.method.MethodColors.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREY;
+import static rasterlab.app.canvas.method.MethodColors.INDIGO;
+import static rasterlab.app.canvas.method.MethodColors.MAGENTA;
+import static rasterlab.app.canvas.method.MethodColors.OLIVE;
+import static rasterlab.app.canvas.method.MethodColors.ORANGE;
+import static rasterlab.app.canvas.method.MethodColors.PURPLE;
+import static rasterlab.app.canvas.method.MethodColors.ROSE;
+import static rasterlab.app.canvas.method.MethodColors.SAND;
+import static rasterlab.app.canvas.method.MethodColors.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColors.SLATE;
+import static rasterlab.app.canvas.method.MethodColors.TEAL;
+import static rasterlab.app.canvas.method.MethodColors.VIOLET;
+import static rasterlab.app.canvas.method.MethodColors.WINE;
+import static rasterlab.app.canvas.method.MethodColors.YELLOW;
 
 import java.util.Map;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 import rasterlab.app.mine.OwnMethods;
 
 /** The colours of the methods for hidden surfaces. */
-final class VisibilityColours {
-    static final TopicColours OWN =
-            new TopicColours(
+final class VisibilityColors {
+    static final TopicColors OWN =
+            new TopicColors(
                     Map.ofEntries(
                             Map.entry("none", GREY),
                             Map.entry("back-face", INDIGO),
@@ -49,5 +49,5 @@ final class VisibilityColours {
                             // It never appears beside "auto", which no picture of the lab names.
                             Map.entry(OwnMethods.NAME, SAND)));
 
-    private VisibilityColours() {}
+    private VisibilityColors() {}
 }

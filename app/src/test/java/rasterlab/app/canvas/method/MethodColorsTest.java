@@ -14,7 +14,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageColors;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.rooms.LabRooms;
@@ -25,7 +25,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.depth.DepthPrecision;
 
-class MethodColoursTest {
+class MethodColorsTest {
     /** The colours that colour-blind people can tell apart. */
     private static final int MOST_COLOURS = 11;
 
@@ -35,7 +35,7 @@ class MethodColoursTest {
     private static final double ENOUGH = 40;
 
     /** Methods of one picture, with their colours. */
-    record Together(List<String> methods, TopicColours colours) {
+    record Together(List<String> methods, TopicColors colours) {
         static Together of(Topic<?, ?, ?> topic) {
             return new Together(
                     topic.methods().stream().map(Method::name).toList(),
@@ -51,10 +51,10 @@ class MethodColoursTest {
         /** Makes as many methods without colours of their own as the palette has colours. */
         static Together palette() {
             return new Together(
-                    IntStream.range(0, MethodColours.PALETTE.size())
+                    IntStream.range(0, MethodColors.PALETTE.size())
                             .mapToObj(i -> "method " + i)
                             .toList(),
-                    new TopicColours(Map.of()));
+                    new TopicColors(Map.of()));
         }
 
         Map<String, MethodLook> looks() {
@@ -106,7 +106,7 @@ class MethodColoursTest {
     @Test
     void methodsForHiddenSurfacesAllHaveColoursOfTheirOwn() {
         List<String> names = Renderer.visibilities();
-        TopicColours own = Together.visibilities().colours;
+        TopicColors own = Together.visibilities().colours;
         assertEquals(names.size(), new HashSet<>(own.among(names).values()).size());
         for (String name : names) assertEquals(own.of(name), own.among(names).get(name), name);
     }
@@ -118,8 +118,8 @@ class MethodColoursTest {
             Together all = Together.of(topic);
             for (String one : all.methods)
                 for (String two : all.methods.subList(0, all.methods.indexOf(one))) {
-                    double light = apart(all, one, two, StageColours.LIGHT);
-                    double dark = apart(all, one, two, StageColours.DARK);
+                    double light = apart(all, one, two, StageColors.LIGHT);
+                    double dark = apart(all, one, two, StageColors.DARK);
                     String pair = topic.name() + ": " + one + ", " + two;
                     assertTrue(light >= LEAST, pair + " are " + light + " apart on white");
                     assertTrue(dark >= Math.min(ENOUGH, light), pair + " are " + dark + " apart");
@@ -132,13 +132,13 @@ class MethodColoursTest {
     void coloursOfThePaletteDifferOnTheDarkStage() {
         Together all = Together.palette();
         List<String> names = all.methods;
-        Color ground = StageColours.DARK.ground();
+        Color ground = StageColors.DARK.ground();
         for (String one : names) {
-            Color line = all.looks().get(one).on(ChartLook.on(StageColours.DARK)).colour();
-            assertTrue(MethodColours.contrast(line, ground) >= 3, line.toString());
+            Color line = all.looks().get(one).on(ChartLook.on(StageColors.DARK)).colour();
+            assertTrue(MethodColors.contrast(line, ground) >= 3, line.toString());
             for (String two : names.subList(0, names.indexOf(one))) {
-                double light = apart(all, one, two, StageColours.LIGHT);
-                double dark = apart(all, one, two, StageColours.DARK);
+                double light = apart(all, one, two, StageColors.LIGHT);
+                double dark = apart(all, one, two, StageColors.DARK);
                 assertTrue(
                         dark >= Math.min(ENOUGH, light),
                         () ->
@@ -167,8 +167,8 @@ class MethodColoursTest {
     void coloursOfOneChartAreFarApartInEveryTheme(Together all) {
         List<String> names = all.methods;
         Map<String, MethodLook> looks = all.looks();
-        for (StageColours stage :
-                List.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR))
+        for (StageColors stage :
+                List.of(StageColors.LIGHT, StageColors.DARK, StageColors.PROJECTOR))
             for (String one : names)
                 for (String two : names.subList(0, names.indexOf(one))) {
                     ChartLook paper = ChartLook.on(stage);
@@ -214,7 +214,7 @@ class MethodColoursTest {
         return s <= 0.04045 ? s / 12.92 : Math.pow((s + 0.055) / 1.055, 2.4);
     }
 
-    private static double apart(Together all, String one, String two, StageColours stage) {
+    private static double apart(Together all, String one, String two, StageColors stage) {
         Map<String, MethodLook> looks = all.looks();
         ChartLook paper = ChartLook.on(stage);
         return apart(looks.get(one).on(paper).colour(), looks.get(two).on(paper).colour());
@@ -236,9 +236,9 @@ class MethodColoursTest {
     @ParameterizedTest(name = "pixels of {0} drown in the stage")
     @MethodSource("ownColours")
     void edgesStandOutFromBothStages(Color colour) {
-        for (StageColours stage : List.of(StageColours.LIGHT, StageColours.DARK)) {
-            Color edge = MethodColours.edgeOn(stage.ground(), colour);
-            assertTrue(MethodColours.contrast(edge, stage.ground()) >= 3, edge.toString());
+        for (StageColors stage : List.of(StageColors.LIGHT, StageColors.DARK)) {
+            Color edge = MethodColors.edgeOn(stage.ground(), colour);
+            assertTrue(MethodColors.contrast(edge, stage.ground()) >= 3, edge.toString());
         }
     }
 
@@ -250,26 +250,26 @@ class MethodColoursTest {
 
     @Test
     void measuresContrastFromOneToTwentyOne() {
-        assertEquals(21, MethodColours.contrast(Color.BLACK, Color.WHITE), 1e-9);
-        assertEquals(1, MethodColours.contrast(Color.RED, Color.RED), 1e-9);
+        assertEquals(21, MethodColors.contrast(Color.BLACK, Color.WHITE), 1e-9);
+        assertEquals(1, MethodColors.contrast(Color.RED, Color.RED), 1e-9);
     }
 
     @Test
     void readsInkOnEveryStage() {
-        for (StageColours stage : List.of(StageColours.LIGHT, StageColours.DARK)) {
-            assertTrue(MethodColours.contrast(stage.ink(), stage.ground()) >= 7);
-            assertTrue(MethodColours.contrast(stage.ink(), stage.margin()) >= 7);
+        for (StageColors stage : List.of(StageColors.LIGHT, StageColors.DARK)) {
+            assertTrue(MethodColors.contrast(stage.ink(), stage.ground()) >= 7);
+            assertTrue(MethodColors.contrast(stage.ink(), stage.margin()) >= 7);
         }
     }
 
     @Test
     @DisplayName("words in a method's colour are too dark on a dark ground, or too pale")
     void wordsInAMethodsColourAreRead() {
-        for (StageColours stage :
-                List.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR))
+        for (StageColors stage :
+                List.of(StageColors.LIGHT, StageColors.DARK, StageColors.PROJECTOR))
             for (Color colour : ownColours().toList()) {
-                Color words = MethodColours.textOn(stage.ground(), colour);
-                double contrast = MethodColours.contrast(words, stage.ground());
+                Color words = MethodColors.textOn(stage.ground(), colour);
+                double contrast = MethodColors.contrast(words, stage.ground());
                 assertTrue(contrast >= 4.5, colour + " on " + stage.ground() + ": " + contrast);
             }
     }

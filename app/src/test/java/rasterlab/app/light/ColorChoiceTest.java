@@ -8,9 +8,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import rasterlab.contract.ColorModel;
 
-class ColourChoiceTest {
-    private static ColourChoice rgb(double red, double green, double blue) {
-        return ColourChoice.first()
+class ColorChoiceTest {
+    private static ColorChoice rgb(double red, double green, double blue) {
+        return ColorChoice.first()
                 .with(ColorModel.RGB, 0, red)
                 .with(ColorModel.RGB, 1, green)
                 .with(ColorModel.RGB, 2, blue);
@@ -18,7 +18,7 @@ class ColourChoiceTest {
 
     @Test
     void allModelsFollowTheSliderThatIsMoved() {
-        ColourChoice colour = rgb(1, 0.5, 0).with(ColorModel.HSV, 0, 120);
+        ColorChoice colour = rgb(1, 0.5, 0).with(ColorModel.HSV, 0, 120);
         assertArrayEquals(new double[] {0, 1, 0}, colour.in(ColorModel.RGB), 1e-12);
         assertArrayEquals(new double[] {1, 0, 1}, colour.in(ColorModel.CMY), 1e-12);
         assertArrayEquals(new double[] {1, 0, 1, 0}, colour.in(ColorModel.CMYK), 1e-12);
@@ -27,7 +27,7 @@ class ColourChoiceTest {
 
     @Test
     void movedNumberIsKeptAsItWasWritten() {
-        ColourChoice black = rgb(1, 0.5, 0).with(ColorModel.HSV, 2, 0);
+        ColorChoice black = rgb(1, 0.5, 0).with(ColorModel.HSV, 2, 0);
         assertEquals(0, black.rgb());
         assertEquals(30, black.in(ColorModel.HSV)[0], 1e-9, "black forgot the hue");
         assertEquals(0xFF8000, black.with(ColorModel.HSV, 2, 1).rgb());
@@ -35,15 +35,15 @@ class ColourChoiceTest {
 
     @Test
     void hueOfAGreyBeginsAtRed() {
-        ColourChoice grey = rgb(0.5, 0.5, 0.5);
+        ColorChoice grey = rgb(0.5, 0.5, 0.5);
         assertTrue(Double.isNaN(grey.in(ColorModel.HSV)[0]));
         assertEquals(0x804040, grey.with(ColorModel.HSV, 1, 0.5).rgb());
     }
 
     @Test
     void colourOutsideTheCubeIsNotTaken() {
-        ColourChoice colour = rgb(1, 1, 0.9);
-        ColourChoice tried = colour.with(ColorModel.HVS, 2, 0.8);
+        ColorChoice colour = rgb(1, 1, 0.9);
+        ColorChoice tried = colour.with(ColorModel.HVS, 2, 0.8);
         assertTrue(tried.outside());
         assertEquals(colour.rgb(), tried.rgb());
         assertEquals(List.of(1.0, 1.0, 0.9), tried.components());
@@ -51,7 +51,7 @@ class ColourChoiceTest {
 
     @Test
     void bytesLoseWhatTheFormulaBringsBack() {
-        ColourChoice colour = rgb(0.85, 0.45, 0.2);
+        ColorChoice colour = rgb(0.85, 0.45, 0.2);
         colour.roundTrips()
                 .forEach((model, error) -> assertTrue(error < 1e-12, model + " " + error));
         assertTrue(colour.withMethod("eight-bit").roundTrips().get(ColorModel.HVS) > 1e-4);

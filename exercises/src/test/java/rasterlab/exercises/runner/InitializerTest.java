@@ -21,7 +21,7 @@ import rasterlab.exercises.score.Report;
 
 /** Reads what a student is told where a static initialiser throws. */
 @Tag("slow")
-class InitialiserTest {
+class InitializerTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
     @ParameterizedTest(name = "{argumentSetName}")

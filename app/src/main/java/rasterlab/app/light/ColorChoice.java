@@ -21,7 +21,7 @@ import rasterlab.engine.study.NoAnswer;
  * @param pitch of the cube towards the eye, radians
  * @param outside whether the last number tried would have left the cube
  */
-public record ColourChoice(
+public record ColorChoice(
         ColorModel model,
         List<Double> components,
         String method,
@@ -30,12 +30,12 @@ public record ColourChoice(
         boolean outside) {
     private static final int HALVINGS = 40;
 
-    public ColourChoice {
+    public ColorChoice {
         components = List.copyOf(components);
     }
 
-    public static ColourChoice first() {
-        return new ColourChoice(
+    public static ColorChoice first() {
+        return new ColorChoice(
                 ColorModel.RGB, List.of(0.85, 0.45, 0.2), "formula", 0.62, 0.42, false);
     }
 
@@ -44,16 +44,16 @@ public record ColourChoice(
      *
      * @param in the model whose number it is
      */
-    public ColourChoice with(ColorModel in, int index, double value) {
+    public ColorChoice with(ColorModel in, int index, double value) {
         double[] numbers = in(in);
         if (Double.isNaN(numbers[0])) numbers[0] = 0;
         numbers[index] = value;
         try {
             new FormulaColors().convert(in, numbers, ColorModel.RGB);
         } catch (IllegalArgumentException e) {
-            return new ColourChoice(model, components, method, yaw, pitch, true);
+            return new ColorChoice(model, components, method, yaw, pitch, true);
         }
-        return new ColourChoice(in, list(numbers), method, yaw, pitch, false);
+        return new ColorChoice(in, list(numbers), method, yaw, pitch, false);
     }
 
     /**
@@ -62,7 +62,7 @@ public record ColourChoice(
      *
      * @param byMethod whose round trips are shown
      */
-    ColourChoice with(Colors colors, String byMethod) {
+    ColorChoice with(Colors colors, String byMethod) {
         ColorModel in = colors.model();
         double[] numbers = Arrays.copyOf(colors.components(), in.size());
         boolean whole = inside(in, numbers);
@@ -71,7 +71,7 @@ public record ColourChoice(
                 numbers[i] = Math.max(0, Math.min(in.highest(i), numbers[i]));
             paled(in, numbers);
         }
-        return new ColourChoice(in, list(numbers), byMethod, yaw, pitch, !whole);
+        return new ColorChoice(in, list(numbers), byMethod, yaw, pitch, !whole);
     }
 
     private static boolean inside(ColorModel in, double[] numbers) {
@@ -97,14 +97,14 @@ public record ColourChoice(
         numbers[last] = least;
     }
 
-    public ColourChoice withMethod(String name) {
-        return new ColourChoice(model, components, name, yaw, pitch, outside);
+    public ColorChoice withMethod(String name) {
+        return new ColorChoice(model, components, name, yaw, pitch, outside);
     }
 
     /** The choice turned; the cube never stands on its head. */
-    public ColourChoice turned(double right, double down) {
+    public ColorChoice turned(double right, double down) {
         double tilted = Math.max(-1.4, Math.min(1.4, pitch + down));
-        return new ColourChoice(model, components, method, yaw + right, tilted, outside);
+        return new ColorChoice(model, components, method, yaw + right, tilted, outside);
     }
 
     /** The numbers in a model; those it was written in as they were written. */

@@ -1,21 +1,21 @@
 package rasterlab.app.polygon;
 
-import static rasterlab.app.canvas.method.MethodColours.BLUE;
-import static rasterlab.app.canvas.method.MethodColours.DARK_GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREEN;
-import static rasterlab.app.canvas.method.MethodColours.GREY;
-import static rasterlab.app.canvas.method.MethodColours.OLIVE;
-import static rasterlab.app.canvas.method.MethodColours.ORANGE;
-import static rasterlab.app.canvas.method.MethodColours.PURPLE;
-import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColors.BLUE;
+import static rasterlab.app.canvas.method.MethodColors.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GREY;
+import static rasterlab.app.canvas.method.MethodColors.OLIVE;
+import static rasterlab.app.canvas.method.MethodColors.ORANGE;
+import static rasterlab.app.canvas.method.MethodColors.PURPLE;
+import static rasterlab.app.canvas.method.MethodColors.SKY_BLUE;
 
 import java.util.Map;
-import rasterlab.app.canvas.method.TopicColours;
+import rasterlab.app.canvas.method.TopicColors;
 
 /** The colours of the methods for polygons. */
-final class PolygonColours {
-    static final TopicColours OWN =
-            new TopicColours(
+final class PolygonColors {
+    static final TopicColors OWN =
+            new TopicColors(
                     Map.ofEntries(
                             Map.entry("recursive-textbook", PURPLE),
                             Map.entry("stack", ORANGE),
@@ -39,5 +39,5 @@ final class PolygonColours {
                             Map.entry("shortest-diagonal", ORANGE),
                             Map.entry("ear-clipping", BLUE)));
 
-    private PolygonColours() {}
+    private PolygonColors() {}
 }
