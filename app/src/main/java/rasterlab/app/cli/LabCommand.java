@@ -21,7 +21,7 @@ import rasterlab.app.outcome.ExitCode;
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:done",
-            "1:done, and something was found wrong (hazards, check, tour)",
+            "1:done, and something was found wrong (hazards, check, submit, prove, study, tour)",
             "2:the command line or the input is wrong; one line says where",
             "3:the method refuses this input",
             "4:the method crashed, did not end, or its answer is over a limit",

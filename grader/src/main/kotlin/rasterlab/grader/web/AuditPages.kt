@@ -6,7 +6,6 @@ import io.ktor.server.routing.get
 import kotlinx.html.FlowContent
 import kotlinx.html.ThScope
 import kotlinx.html.a
-import kotlinx.html.div
 import kotlinx.html.p
 import kotlinx.html.table
 import kotlinx.html.tbody
@@ -50,7 +49,7 @@ private suspend fun ApplicationCall.respondAudit(
 private fun FlowContent.changeTable(
     texts: PageTexts,
     entries: List<AuditEntry>,
-) = div("scroll") {
+) = scrolling(texts.say("audit.title")) {
     table("students") {
         thead {
             tr {

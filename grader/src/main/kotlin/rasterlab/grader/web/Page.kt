@@ -9,12 +9,14 @@ import io.ktor.server.request.httpMethod
 import io.ktor.server.request.path
 import io.ktor.server.response.header
 import kotlinx.html.ButtonType
+import kotlinx.html.DIV
 import kotlinx.html.FlowContent
 import kotlinx.html.InputType
 import kotlinx.html.MAIN
 import kotlinx.html.a
 import kotlinx.html.body
 import kotlinx.html.button
+import kotlinx.html.div
 import kotlinx.html.footer
 import kotlinx.html.form
 import kotlinx.html.h1
@@ -127,4 +129,15 @@ fun FlowContent.field(
         required = true
         attributes["autocomplete"] = filling
     }
+}
+
+/** A part that is scrolled sideways where the window is narrow, by keys too; readers that speak call it [name]. */
+internal fun FlowContent.scrolling(
+    name: String,
+    inner: DIV.() -> Unit,
+) = div("scroll") {
+    attributes["tabindex"] = "0"
+    attributes["role"] = "group"
+    attributes["aria-label"] = name
+    inner()
 }

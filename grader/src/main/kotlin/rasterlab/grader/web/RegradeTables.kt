@@ -92,7 +92,7 @@ internal fun FlowContent.regradeTable(
     regrades: List<Regrade>,
 ) {
     h2 { +texts.say("regrade.earlier") }
-    div("scroll") {
+    scrolling(texts.say("regrade.earlier")) {
         table {
             heading(texts, "begun", "of", "state", "graded")
             tbody {
@@ -180,7 +180,7 @@ private fun FlowContent.changes(
     }
     val shown = graded.filter { it.gain != 0 || it.cases.isNotEmpty() }
     if (shown.isEmpty()) return
-    div("scroll") {
+    scrolling(texts.say("regrade.changes")) {
         table("regraded") {
             heading(texts, "student", "before", "after", "cases")
             tbody { shown.forEach { one -> tr { changed(texts, one, exercise) } } }

@@ -3,7 +3,6 @@ package rasterlab.grader.web
 import kotlinx.html.FlowContent
 import kotlinx.html.ThScope
 import kotlinx.html.details
-import kotlinx.html.div
 import kotlinx.html.figcaption
 import kotlinx.html.figure
 import kotlinx.html.h2
@@ -41,7 +40,7 @@ fun FlowContent.speedChart(
     }
     details {
         summary { +texts.say("chart.table") }
-        div("scroll") { figures(texts, drawn) }
+        scrolling(texts.say("chart.table")) { figures(texts, drawn) }
     }
 }
 

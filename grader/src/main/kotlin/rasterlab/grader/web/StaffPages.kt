@@ -104,7 +104,7 @@ private fun FlowContent.memberTable(
     texts: PageTexts,
     who: Identity.Instructor,
     members: List<StaffMember>,
-) = div("scroll") {
+) = scrolling(texts.say("staff.title")) {
     table("students") {
         thead {
             tr {
