@@ -32,15 +32,17 @@ public final class MidpointCircle implements SteppedCircle {
 
     /** Plots a pixel of the octant and its mirror images, of which some coincide, each once. */
     private static void plotEight(int x, int y, int u, int v, Pixels out) {
+        plotFour(x, y, u, v, out);
+        if (u != v) plotFour(x, y, v, u, out);
+    }
+
+    /** Plots a pixel and its images across both axes: four, two on an axis, one in the middle. */
+    private static void plotFour(int x, int y, int u, int v, Pixels out) {
         out.plot(x + u, y + v);
         if (u != 0) out.plot(x - u, y + v);
-        if (v != 0) out.plot(x + u, y - v);
-        if (u != 0 && v != 0) out.plot(x - u, y - v);
-        if (u == v) return;
-        out.plot(x + v, y + u);
-        out.plot(x - v, y + u);
-        if (u != 0) out.plot(x + v, y - u);
-        if (u != 0) out.plot(x - v, y - u);
+        if (v == 0) return;
+        out.plot(x + u, y - v);
+        if (u != 0) out.plot(x - u, y - v);
     }
 
     @Override
