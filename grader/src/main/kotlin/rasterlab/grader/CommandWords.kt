@@ -22,7 +22,16 @@ internal class CommandWords private constructor(
 
     /** Help in this language; English stands with the commands. */
     fun wear(command: CommandLine): CommandLine =
-        if (language == Locale.ENGLISH) command else command.setResourceBundle(wording.bundle)
+        (if (language == Locale.ENGLISH) command else command.setResourceBundle(wording.bundle)).also { tellExits(it) }
+
+    /** Lists the exit codes in the help of the command and of those below it. */
+    private fun tellExits(command: CommandLine) {
+        command.commandSpec
+            .usageMessage()
+            .exitCodeListHeading("%n${say("exits")}%n")
+            .exitCodeList(EXITS.associateWith { say("exits.$it") })
+        command.subcommands.values.forEach(::tellExits)
+    }
 
     /**
      * The failure in English as picocli has it, but for a command, which is told with those there
@@ -78,6 +87,9 @@ internal class CommandWords private constructor(
 
     companion object {
         private val RUSSIAN = Locale.forLanguageTag("ru")
+
+        /** The exit codes of every command. */
+        private val EXITS = listOf("0", "2", "70")
 
         /** The language that `--lang` asks for, whatever is wrong with the other arguments; else English. */
         fun asked(vararg arguments: String): CommandWords {

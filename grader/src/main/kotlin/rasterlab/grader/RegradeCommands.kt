@@ -188,8 +188,8 @@ internal abstract class RegradeStep(
     name = "show",
     mixinStandardHelpOptions = true,
     description = [
-        "Prints how many are graded, and at the end who gains and who loses:",
-        "a submission's id, its student, points before and after, cases that changed.",
+        "Prints how many are graded, and at the end who gains and who loses.",
+        "A line has a submission's id, its student, points before and after, cases that changed.",
     ],
 )
 internal class RegradeShowCommand(

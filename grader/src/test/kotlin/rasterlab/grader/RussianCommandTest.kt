@@ -76,6 +76,10 @@ class RussianCommandTest {
     fun `help is Russian`(call: String) {
         assertEquals(0, run(*"$call --lang ru".split(" ").toTypedArray()))
         assertTrue(printed.toString().contains("Вызов: ./lab grader"), printed.toString())
+        assertTrue(
+            Regex("Коды завершения:\\R +0 +сделано\\R +2 +.*\\R +70 ").containsMatchIn("$printed"),
+            printed.toString(),
+        )
         assertRussian()
     }
 
