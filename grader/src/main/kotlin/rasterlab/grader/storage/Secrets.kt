@@ -12,11 +12,15 @@ object Secrets {
     private val random = SecureRandom()
     private val base64 = Base64.getUrlEncoder().withoutPadding()
 
-    /** Names a row to the outside; 128 bits cannot be guessed by trying. */
-    fun newId(): String = base64.encodeToString(bytes(16))
+    /** Names a row to the outside; nearly 128 bits cannot be guessed by trying. */
+    fun newId(): String = typed(16)
 
-    /** Lets its holder in; 256 bits. */
-    fun newToken(): String = base64.encodeToString(bytes(32))
+    /** Lets its holder in; nearly 256 bits. */
+    fun newToken(): String = typed(32)
+
+    /** Random text that people type behind a command, so that it begins like no option, with '-'. */
+    private fun typed(count: Int): String =
+        generateSequence { base64.encodeToString(bytes(count)) }.first { !it.startsWith('-') }
 
     fun newSeed(): Long = random.nextLong()
 
