@@ -5,7 +5,6 @@ import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.request.patch
 import io.ktor.client.request.post
-import io.ktor.client.request.setBody
 import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
@@ -28,6 +27,7 @@ import rasterlab.grader.cookieOf
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.sendForm
 import rasterlab.grader.text
 import java.nio.file.Path
 
@@ -207,16 +207,7 @@ class AdjustmentsTest {
         path: String,
         body: String,
         by: String = instructor,
-    ): HttpResponse {
-        val cookie = cookieOf(by)
-        return client.post("$path?lang=en") {
-            header(HttpHeaders.Cookie, cookie)
-            header(HttpHeaders.Host, "localhost")
-            header(HttpHeaders.Origin, "http://localhost")
-            header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
-            setBody(body)
-        }
-    }
+    ): HttpResponse = sendForm("$path?lang=en", body, by)
 
     private fun Visit.texts(sql: String): List<String> =
         database.read { it.createQuery(sql).mapTo(String::class.java).list() }

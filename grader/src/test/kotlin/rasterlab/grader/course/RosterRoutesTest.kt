@@ -21,6 +21,7 @@ import rasterlab.grader.commandLine
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
 import java.io.PrintWriter
 import java.io.StringWriter
 import java.nio.file.Files
@@ -132,8 +133,6 @@ class RosterRoutesTest {
         header(HttpHeaders.ContentType, type)
         setBody(text.toByteArray())
     }
-
-    private fun Visit.one(sql: String): String = database.read { it.createQuery(sql).mapTo(String::class.java).one() }
 
     private companion object {
         const val FIRST = "Name,Email\nAda Lovelace,ada@example.org\nGrace Hopper,grace@example.org\n"

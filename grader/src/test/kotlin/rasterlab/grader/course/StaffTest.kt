@@ -5,7 +5,6 @@ import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.request.patch
 import io.ktor.client.request.post
-import io.ktor.client.request.setBody
 import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
@@ -22,18 +21,17 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
-import rasterlab.grader.CommandWords
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
-import rasterlab.grader.commandLine
 import rasterlab.grader.cookieOf
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
+import rasterlab.grader.printedBy
+import rasterlab.grader.sendForm
 import rasterlab.grader.text
-import java.io.PrintWriter
-import java.io.StringWriter
 import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource
@@ -254,32 +252,12 @@ class StaffTest {
     private suspend fun Visit.take(
         path: String,
         form: String,
-    ): HttpResponse {
-        val cookie = cookieOf(instructor)
-        return client.post("$path?lang=en") {
-            header(HttpHeaders.Cookie, cookie)
-            header(HttpHeaders.Host, "localhost")
-            header(HttpHeaders.Origin, "http://localhost")
-            header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
-            setBody(form)
-        }
-    }
+    ): HttpResponse = sendForm("$path?lang=en", form)
 
     private fun command(
         vararg arguments: String,
         exit: Int = 0,
-    ): String {
-        val printed = StringWriter()
-        val commands =
-            commandLine(CommandWords.asked(*arguments))
-                .setOut(PrintWriter(printed, true))
-                .setErr(PrintWriter(printed, true))
-        val database = "sqlite:${folder.resolve("test.db")}"
-        assertEquals(exit, commands.execute("staff", *arguments, "--db", database), "$printed")
-        return "$printed"
-    }
+    ) = printedBy(folder, "staff", *arguments, exit = exit)
 
     private fun Visit.courseId() = one("SELECT id FROM courses")
-
-    private fun Visit.one(sql: String): String = database.read { it.createQuery(sql).mapTo(String::class.java).one() }
 }

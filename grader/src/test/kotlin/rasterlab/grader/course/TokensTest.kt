@@ -21,6 +21,7 @@ import rasterlab.grader.bearer
 import rasterlab.grader.commandLine
 import rasterlab.grader.field
 import rasterlab.grader.json
+import rasterlab.grader.one
 import rasterlab.grader.text
 import java.io.PrintWriter
 import java.io.StringWriter
@@ -140,6 +141,4 @@ class TokensTest {
     private fun Visit.studentId() = one("SELECT id FROM students")
 
     private fun Visit.courseId() = one("SELECT id FROM courses")
-
-    private fun Visit.one(sql: String): String = database.read { it.createQuery(sql).mapTo(String::class.java).one() }
 }

@@ -20,18 +20,17 @@ import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.Classroom
-import rasterlab.grader.CommandWords
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
-import rasterlab.grader.commandLine
 import rasterlab.grader.cookieOf
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
+import rasterlab.grader.printedBy
+import rasterlab.grader.sendForm
 import rasterlab.grader.text
-import java.io.PrintWriter
-import java.io.StringWriter
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -220,32 +219,12 @@ class RegradeRoutesTest {
         path: String,
         body: String,
         by: String = instructor,
-    ): HttpResponse {
-        val cookie = cookieOf(by)
-        return client.post("$path?lang=en") {
-            header(HttpHeaders.Cookie, cookie)
-            header(HttpHeaders.Host, "localhost")
-            header(HttpHeaders.Origin, "http://localhost")
-            header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
-            setBody(body)
-        }
-    }
-
-    private fun Visit.one(sql: String): String = database.read { it.createQuery(sql).mapTo(String::class.java).one() }
+    ): HttpResponse = sendForm("$path?lang=en", body, by)
 
     private fun command(
         vararg arguments: String,
         exit: Int = 0,
-    ): String {
-        val printed = StringWriter()
-        val commands =
-            commandLine(CommandWords.asked(*arguments))
-                .setOut(PrintWriter(printed, true))
-                .setErr(PrintWriter(printed, true))
-        val database = "sqlite:${folder.resolve("test.db")}"
-        assertEquals(exit, commands.execute("regrade", *arguments, "--db", database), "$printed")
-        return "$printed"
-    }
+    ) = printedBy(folder, "regrade", *arguments, exit = exit)
 
     private companion object {
         const val LINE = "line-bresenham"

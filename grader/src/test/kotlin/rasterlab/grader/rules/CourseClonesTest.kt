@@ -3,10 +3,8 @@ package rasterlab.grader.rules
 import io.ktor.client.request.header
 import io.ktor.client.request.patch
 import io.ktor.client.request.post
-import io.ktor.client.request.setBody
 import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
-import io.ktor.http.HttpHeaders
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
@@ -14,18 +12,16 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
-import rasterlab.grader.CommandWords
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
-import rasterlab.grader.commandLine
-import rasterlab.grader.cookieOf
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
+import rasterlab.grader.printedBy
+import rasterlab.grader.sendForm
 import rasterlab.grader.text
-import java.io.PrintWriter
-import java.io.StringWriter
 import java.nio.file.Path
 
 /** A course is made of last year's: its rules a year later, and none of its students. */
@@ -118,29 +114,10 @@ class CourseClonesTest {
     private suspend fun Visit.send(
         course: String,
         body: String,
-    ) = cookieOf(instructor).let { cookie ->
-        client.post("/instructor/courses/$course/clone") {
-            header(HttpHeaders.Cookie, cookie)
-            header(HttpHeaders.Host, "localhost")
-            header(HttpHeaders.Origin, "http://localhost")
-            header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
-            setBody(body)
-        }
-    }
-
-    private fun Visit.one(sql: String): String = database.read { it.createQuery(sql).mapTo(String::class.java).one() }
+    ) = sendForm("/instructor/courses/$course/clone", body)
 
     private fun command(
         vararg arguments: String,
         exit: Int = 0,
-    ): String {
-        val printed = StringWriter()
-        val commands =
-            commandLine(CommandWords.asked(*arguments))
-                .setOut(PrintWriter(printed, true))
-                .setErr(PrintWriter(printed, true))
-        val database = "sqlite:${folder.resolve("test.db")}"
-        assertEquals(exit, commands.execute("course", "clone", *arguments, "--db", database), "$printed")
-        return "$printed"
-    }
+    ) = printedBy(folder, "course", "clone", *arguments, exit = exit)
 }

@@ -20,18 +20,16 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
-import rasterlab.grader.CommandWords
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
-import rasterlab.grader.commandLine
 import rasterlab.grader.cookieOf
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
+import rasterlab.grader.printedBy
 import rasterlab.grader.text
-import java.io.PrintWriter
-import java.io.StringWriter
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
@@ -290,21 +288,10 @@ class RuleRoutesTest {
         }
     }
 
-    private fun Visit.one(sql: String): String = database.read { it.createQuery(sql).mapTo(String::class.java).one() }
-
     private fun command(
         vararg arguments: String,
         exit: Int = 0,
-    ): String {
-        val printed = StringWriter()
-        val commands =
-            commandLine(CommandWords.asked(*arguments))
-                .setOut(PrintWriter(printed, true))
-                .setErr(PrintWriter(printed, true))
-        val database = "sqlite:${folder.resolve("test.db")}"
-        assertEquals(exit, commands.execute("course", *arguments, "--db", database), "$printed")
-        return "$printed"
-    }
+    ) = printedBy(folder, "course", *arguments, exit = exit)
 
     private companion object {
         /** One that comes with the program, as the command knows no others here. */

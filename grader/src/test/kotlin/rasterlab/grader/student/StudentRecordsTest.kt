@@ -24,6 +24,7 @@ import rasterlab.grader.cookieOf
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
 import rasterlab.grader.text
 import java.nio.file.Path
 import java.util.zip.ZipInputStream
@@ -188,6 +189,4 @@ class StudentRecordsTest {
             setBody(body)
         }
     }
-
-    private fun Visit.one(sql: String): String = database.read { it.createQuery(sql).mapTo(String::class.java).one() }
 }
