@@ -13,12 +13,12 @@ public interface CircleRasterizer {
     /**
      * Sends the pixels of the circle, in any order.
      *
-     * @param centreX column of the centre; centreX ± radius has to be an int
-     * @param centreY row of the centre; centreY ± radius has to be an int
+     * @param centerX column of the centre; centreX ± radius has to be an int
+     * @param centerY row of the centre; centreY ± radius has to be an int
      * @param radius in pixels, at least 0
      * @param out receives each pixel once
      * @throws IllegalArgumentException if the method cannot draw this circle; the message names the
      *     value and the range
      */
-    void draw(int centreX, int centreY, int radius, Pixels out);
+    void draw(int centerX, int centerY, int radius, Pixels out);
 }

@@ -15,13 +15,13 @@ public interface EllipseRasterizer {
     /**
      * Sends the pixels of the ellipse, in any order.
      *
-     * @param centreX column of the centre; centreX ± radiusX has to be an int
-     * @param centreY row of the centre; centreY ± radiusY has to be an int
+     * @param centerX column of the centre; centreX ± radiusX has to be an int
+     * @param centerY row of the centre; centreY ± radiusY has to be an int
      * @param radiusX half-axis along the rows in pixels, at least 0
      * @param radiusY half-axis along the columns in pixels, at least 0
      * @param out receives each pixel once
      * @throws IllegalArgumentException if a half-axis is below 0 or a pixel would be beyond int; a
      *     method may refuse half-axes above 2¹⁹, too; the message names the value and the range
      */
-    void draw(int centreX, int centreY, int radiusX, int radiusY, Pixels out);
+    void draw(int centerX, int centerY, int radiusX, int radiusY, Pixels out);
 }

@@ -22,5 +22,5 @@ public interface PixelGrid {
      *
      * @throws IndexOutOfBoundsException if it is outside the picture
      */
-    void write(int x, int y, int colour);
+    void write(int x, int y, int color);
 }

@@ -24,7 +24,7 @@ import rasterlab.engine.visibility.depth.DepthCoding;
  */
 class PromisesTest {
     @Test
-    void aFillInAnotherColourIsWrong() {
+    void aFillInAnotherColorIsWrong() {
         SeedFiller right = right("fill", "stack");
         SeedFiller pale =
                 (picture, x, y, with, connectivity) ->
@@ -37,9 +37,9 @@ class PromisesTest {
         ColorConverter right = right("color", "formula");
         ColorConverter turned =
                 (from, components, to) -> {
-                    double[] colour = right.convert(from, components, to);
-                    if (to == ColorModel.HSV && colour[0] == 0) colour[0] = 360;
-                    return colour;
+                    double[] color = right.convert(from, components, to);
+                    if (to == ColorModel.HSV && color[0] == 0) color[0] = 360;
+                    return color;
                 };
         assertEquals(Kind.DEGRADED, kind("color", "pure-colours", turned));
     }

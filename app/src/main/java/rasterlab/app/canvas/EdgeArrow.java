@@ -59,7 +59,7 @@ public final class EdgeArrow {
      */
     public static void paint(
             Graphics2D g,
-            StageColors colours,
+            StageColors colors,
             int width,
             int height,
             double angle,
@@ -74,10 +74,10 @@ public final class EdgeArrow {
         placed.rotate(angle);
         placed.scale(size, size);
         arrow.transform(placed);
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.setStroke(new BasicStroke(4, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(arrow);
-        g.setColor(focused ? colours.focus() : colours.ink());
+        g.setColor(focused ? colors.focus() : colors.ink());
         g.fill(arrow);
     }
 }

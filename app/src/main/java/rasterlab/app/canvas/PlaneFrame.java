@@ -43,7 +43,7 @@ record PlaneFrame(
         int height,
         Rectangle covered,
         double scale,
-        StageColors colours,
+        StageColors colors,
         Font font,
         Locale locale) {
     private static final double DOT = 3.5;
@@ -79,7 +79,7 @@ record PlaneFrame(
                 new PlaneRulers(
                         map,
                         new Dimension(width, height),
-                        colours,
+                        colors,
                         font,
                         locale,
                         picture.leastTick());
@@ -93,9 +93,9 @@ record PlaneFrame(
         else inner.clipRect(0, 0, width, height);
         List<Placed> placed = placed();
         List<Label> labels = labels(inner, placed);
-        picture.leaving(taken(placed, labels)).paint(inner, map, colours, cancelled);
+        picture.leaving(taken(placed, labels)).paint(inner, map, colors, cancelled);
         paintPoints(inner, labels);
-        note(picture, note, new Dimension(width, height), font).paint(inner, colours);
+        note(picture, note, new Dimension(width, height), font).paint(inner, colors);
         inner.dispose();
         g.setStroke(new BasicStroke(1f));
         if (picture.ruled()) rulers.paintMargins(g);
@@ -111,7 +111,7 @@ record PlaneFrame(
     }
 
     private void paintGround(Graphics2D g) {
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.fillRect(0, 0, width, height);
     }
 
@@ -298,7 +298,7 @@ record PlaneFrame(
         g.setFont(font.deriveFont(Font.BOLD));
         for (PlanePoint point : points)
             if (inSight(point)) dot(g, map.viewX(point.x()), map.viewY(point.y()));
-        Color ground = colours.ground();
+        Color ground = colors.ground();
         var plate = new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 190);
         for (Label label : labels)
             Plates.plate(
@@ -307,11 +307,11 @@ record PlaneFrame(
                     label.place.x + 4,
                     label.place.y + 1 + g.getFontMetrics().getAscent(),
                     plate,
-                    colours.ink());
+                    colors.ink());
     }
 
     private void dot(Graphics2D g, double x, double y) {
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.fill(new Ellipse2D.Double(x - DOT, y - DOT, 2 * DOT, 2 * DOT));
     }
 

@@ -19,7 +19,7 @@ public interface PlanePicture {
      * @param cancelled asked often by a long picture
      * @throws CancellationException soon after {@code cancelled} says true
      */
-    void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled);
+    void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled);
 
     /** Whether grid, rulers and read-out belong to it: not where the plane is a view of space. */
     default boolean ruled() {

@@ -27,7 +27,7 @@ public final class PlaneRulers {
 
     private final PlaneMap map;
     private final Dimension view;
-    private final StageColors colours;
+    private final StageColors colors;
     private final Font font;
     private final Locale locale;
     private final double least;
@@ -39,13 +39,13 @@ public final class PlaneRulers {
     public PlaneRulers(
             PlaneMap map,
             Dimension view,
-            StageColors colours,
+            StageColors colors,
             Font font,
             Locale locale,
             double least) {
         this.map = map;
         this.view = view;
-        this.colours = colours;
+        this.colors = colors;
         this.font = font.deriveFont(Font.PLAIN, font.getSize2D() * 11 / 13);
         this.locale = locale;
         this.least = least;
@@ -56,36 +56,32 @@ public final class PlaneRulers {
     }
 
     public void paintGrid(Graphics2D g) {
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.fillRect(0, 0, view.width, view.height);
         Numbers numbers = numbers(g);
         RoundTicks columns = equal() ? numbers.columns : ticks(map.worldWidth(APART));
-        each(
-                columns,
-                leftWorld(),
-                rightWorld(),
-                x -> vertical(g, columns.value(x), colours.grid()));
+        each(columns, leftWorld(), rightWorld(), x -> vertical(g, columns.value(x), colors.grid()));
         RoundTicks rows = numbers.rows;
-        each(rows, lowWorld(), highWorld(), y -> horizontal(g, rows.value(y), colours.grid()));
-        vertical(g, 0, colours.axis());
-        horizontal(g, 0, colours.axis());
+        each(rows, lowWorld(), highWorld(), y -> horizontal(g, rows.value(y), colors.grid()));
+        vertical(g, 0, colors.axis());
+        horizontal(g, 0, colors.axis());
     }
 
     public void paintMargins(Graphics2D g) {
-        g.setColor(colours.margin());
+        g.setColor(colors.margin());
         g.fillRect(0, 0, view.width, Rulers.top());
         g.fillRect(0, 0, Rulers.left(), view.height);
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.drawLine(Rulers.left(), Rulers.top(), view.width, Rulers.top());
         g.drawLine(Rulers.left(), Rulers.top(), Rulers.left(), view.height);
         g.setFont(font);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         Numbers numbers = numbers(g);
         paintColumns(g, numbers);
         paintRows(g, numbers);
-        g.setColor(colours.margin());
+        g.setColor(colors.margin());
         g.fillRect(0, 0, Rulers.left(), Rulers.top());
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         String corner = numbers.factored ? numbers.rows.factor() : "y\\x";
         paintInMargin(g, corner, baseline(g.getFontMetrics()));
     }
@@ -240,17 +236,17 @@ public final class PlaneRulers {
         return Math.max(map.worldY(Rulers.top()), map.worldY(view.height));
     }
 
-    private void vertical(Graphics2D g, double worldX, Color colour) {
+    private void vertical(Graphics2D g, double worldX, Color color) {
         double x = Math.rint(map.viewX(worldX));
         if (!(x >= Rulers.left() && x <= view.width)) return;
-        g.setColor(colour);
+        g.setColor(color);
         g.drawLine((int) x, Rulers.top(), (int) x, view.height);
     }
 
-    private void horizontal(Graphics2D g, double worldY, Color colour) {
+    private void horizontal(Graphics2D g, double worldY, Color color) {
         double y = Math.rint(map.viewY(worldY));
         if (!(y >= Rulers.top() && y <= view.height)) return;
-        g.setColor(colour);
+        g.setColor(color);
         g.drawLine(Rulers.left(), (int) y, view.width, (int) y);
     }
 }

@@ -43,7 +43,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     /** The buttons are added first and stay above what else the stage has. */
     private static final int UNDER_BUTTONS = 1;
 
-    private static final PlanePicture NOTHING = (g, map, colours, cancelled) -> {};
+    private static final PlanePicture NOTHING = (g, map, colors, cancelled) -> {};
 
     private final PlaneAxes axes;
     private final transient PlaneEdits edits;

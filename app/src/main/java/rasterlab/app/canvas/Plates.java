@@ -44,11 +44,11 @@ public final class Plates {
      */
     public static void sentenceAbove(Graphics2D g, String sentence, int width, int bottom) {
         FontMetrics metrics = g.getFontMetrics();
-        StageColors colours = StageColors.now();
-        Color plate = nearlyOpaque(colours.ground());
+        StageColors colors = StageColors.now();
+        Color plate = nearlyOpaque(colors.ground());
         List<String> lines = Wrapping.lines(sentence, width - 48, metrics::stringWidth);
         int high = metrics.getHeight() + 2;
         int y = bottom - high * lines.size();
-        for (String line : lines) plate(g, line, 24, y += high, plate, colours.ink());
+        for (String line : lines) plate(g, line, 24, y += high, plate, colors.ink());
     }
 }

@@ -30,11 +30,11 @@ final class PngInSvg extends ImageHandlerBase64Encoder {
     }
 
     private static BufferedImage copy(RenderedImage picture) {
-        ColorModel colours = picture.getColorModel();
+        ColorModel colors = picture.getColorModel();
         WritableRaster dots =
-                colours.createCompatibleWritableRaster(picture.getWidth(), picture.getHeight());
+                colors.createCompatibleWritableRaster(picture.getWidth(), picture.getHeight());
         picture.copyData(dots);
-        return new BufferedImage(colours, dots, colours.isAlphaPremultiplied(), null);
+        return new BufferedImage(colors, dots, colors.isAlphaPremultiplied(), null);
     }
 
     /** Packs the pictures into the document; on any thread. */

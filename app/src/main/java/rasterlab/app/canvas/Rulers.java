@@ -15,16 +15,16 @@ public final class Rulers {
 
     private final ZoomedGrid grid;
     private final Dimension view;
-    private final StageColors colours;
+    private final StageColors colors;
     private final Font font;
 
     /**
      * @param font of a label; the numbers are smaller
      */
-    public Rulers(ZoomedGrid grid, Dimension view, StageColors colours, Font font) {
+    public Rulers(ZoomedGrid grid, Dimension view, StageColors colors, Font font) {
         this.grid = grid;
         this.view = view;
-        this.colours = colours;
+        this.colors = colors;
         this.font = font.deriveFont(Font.PLAIN, PictureType.scaled(11f));
     }
 
@@ -50,33 +50,33 @@ public final class Rulers {
     }
 
     public void paintGrid(Graphics2D g) {
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.fillRect(0, 0, view.width, view.height);
         Point first = grid.pixelAt(left(), top());
         Point last = grid.pixelAt(view.width, view.height);
         if (grid.cell() >= FINEST_GRID) {
             for (long x = first.x; x <= last.x + 1L; x++)
-                vertical(g, grid.viewX(x - 0.5), colours.grid());
+                vertical(g, grid.viewX(x - 0.5), colors.grid());
             for (long y = first.y; y <= last.y + 1L; y++)
-                horizontal(g, grid.viewY(y - 0.5), colours.grid());
+                horizontal(g, grid.viewY(y - 0.5), colors.grid());
         }
-        vertical(g, grid.viewX(0), colours.axis());
-        horizontal(g, grid.viewY(0), colours.axis());
+        vertical(g, grid.viewX(0), colors.axis());
+        horizontal(g, grid.viewY(0), colors.axis());
     }
 
     public void paintMargins(Graphics2D g) {
-        g.setColor(colours.margin());
+        g.setColor(colors.margin());
         g.fillRect(0, 0, view.width, top());
         g.fillRect(0, 0, left(), view.height);
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.drawLine(left(), top(), view.width, top());
         g.drawLine(left(), top(), left(), view.height);
         g.setFont(font);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         paintNumbers(g);
-        g.setColor(colours.margin());
+        g.setColor(colors.margin());
         g.fillRect(0, 0, left(), top());
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.drawString("y\\x", left() - PictureType.scaled(24), baseline());
     }
 
@@ -124,17 +124,17 @@ public final class Rulers {
         return step;
     }
 
-    private void vertical(Graphics2D g, double viewX, Color colour) {
+    private void vertical(Graphics2D g, double viewX, Color color) {
         int x = (int) Math.round(viewX);
         if (x < left() || x > view.width) return;
-        g.setColor(colour);
+        g.setColor(color);
         g.drawLine(x, top(), x, view.height);
     }
 
-    private void horizontal(Graphics2D g, double viewY, Color colour) {
+    private void horizontal(Graphics2D g, double viewY, Color color) {
         int y = (int) Math.round(viewY);
         if (y < top() || y > view.height) return;
-        g.setColor(colour);
+        g.setColor(color);
         g.drawLine(left(), y, view.width, y);
     }
 }

@@ -96,7 +96,7 @@ public final class StageNote {
      *
      * @param g in view units; keeps its font
      */
-    public void paint(Graphics2D g, StageColors colours) {
+    public void paint(Graphics2D g, StageColors colors) {
         Font before = g.getFont();
         g.setFont(font);
         LineMetrics metrics = font.getLineMetrics("", MEASURE);
@@ -107,8 +107,8 @@ public final class StageNote {
                     line,
                     inside.x + BESIDE,
                     y,
-                    Plates.nearlyOpaque(colours.ground()),
-                    colours.ink());
+                    Plates.nearlyOpaque(colors.ground()),
+                    colors.ink());
             y += pitch();
         }
         g.setFont(before);

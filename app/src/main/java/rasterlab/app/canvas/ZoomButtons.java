@@ -42,14 +42,14 @@ public final class ZoomButtons extends JPanel {
     }
 
     private void nearer() {
-        zooming.zoom(FACTOR, centre());
+        zooming.zoom(FACTOR, center());
     }
 
     private void farther() {
-        zooming.zoom(1 / FACTOR, centre());
+        zooming.zoom(1 / FACTOR, center());
     }
 
-    private Point2D centre() {
+    private Point2D center() {
         Rectangle inside = Rulers.inside(stage.getSize());
         return new Point2D.Double(inside.getCenterX(), inside.getCenterY());
     }

@@ -8,8 +8,8 @@ import rasterlab.app.canvas.method.TopicColors;
  *
  * @param topic its name as on the command line
  * @param lab whose tab shows it
- * @param colours of its methods in the lab and in every chart
+ * @param colors of its methods in the lab and in every chart
  * @param way what shows its inputs
  * @param <M> the lab's model
  */
-public record TopicCard<M>(String topic, LabRoom<M> lab, TopicColors colours, TopicWay<M> way) {}
+public record TopicCard<M>(String topic, LabRoom<M> lab, TopicColors colors, TopicWay<M> way) {}

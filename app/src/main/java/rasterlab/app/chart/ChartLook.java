@@ -75,8 +75,8 @@ public record ChartLook(Color ground, Color ink) {
     }
 
     /** A line's colour: on white as it is, elsewhere one that stands out from the ground. */
-    public Color line(Color colour) {
-        return ground.equals(Color.WHITE) ? colour : MethodColors.lineOn(ground, colour);
+    public Color line(Color color) {
+        return ground.equals(Color.WHITE) ? color : MethodColors.lineOn(ground, color);
     }
 
     private Color mixed(double share) {

@@ -17,7 +17,7 @@ import rasterlab.app.mine.OwnMethods;
  *
  * @param stroke of its lines
  */
-public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
+public record MethodLook(Color color, Marker marker, BasicStroke stroke) {
     private static final List<Marker> MARKERS =
             List.of(
                     SeriesMarkers.CIRCLE,
@@ -45,7 +45,7 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
      * @param own the methods' colours
      */
     public static Map<String, MethodLook> of(List<String> methods, TopicColors own) {
-        Map<String, Color> colours = own.among(methods);
+        Map<String, Color> colors = own.among(methods);
         var looks = new LinkedHashMap<String, MethodLook>();
         for (String method : methods) {
             int number = looks.size();
@@ -54,7 +54,7 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
                             ? new StarMarker()
                             : MARKERS.get(number % MARKERS.size());
             float[] dashes = DASHES.get(number / MARKERS.size() % DASHES.size());
-            looks.put(method, new MethodLook(colours.get(method), marker, stroke(dashes)));
+            looks.put(method, new MethodLook(colors.get(method), marker, stroke(dashes)));
         }
         return looks;
     }
@@ -68,7 +68,7 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
 
     /** The same in a colour that stands out from the ground. */
     public MethodLook on(ChartLook paper) {
-        return new MethodLook(paper.line(colour), marker, stroke);
+        return new MethodLook(paper.line(color), marker, stroke);
     }
 
     /**
@@ -78,14 +78,14 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
      */
     public MethodLook unmarked(int number) {
         return new MethodLook(
-                colour, SeriesMarkers.NONE, stroke(SHORT_DASHES.get(number % SHORT_DASHES.size())));
+                color, SeriesMarkers.NONE, stroke(SHORT_DASHES.get(number % SHORT_DASHES.size())));
     }
 
     /** Gives a series this look. */
     public void style(XYSeries series) {
         series.setMarker(marker);
-        series.setMarkerColor(colour);
-        series.setLineColor(colour);
+        series.setMarkerColor(color);
+        series.setLineColor(color);
         series.setLineStyle(stroke);
     }
 }

@@ -43,7 +43,7 @@ final class ClipPainter {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColors colours;
+    private final StageColors colors;
     private final Color first;
     private final Color second;
     private final InView inView;
@@ -57,13 +57,13 @@ final class ClipPainter {
     ClipPainter(
             Graphics2D g,
             PlaneMap map,
-            StageColors colours,
+            StageColors colors,
             String method,
             String other,
             List<Rectangle> labels) {
         this.g = g;
         this.map = map;
-        this.colours = colours;
+        this.colors = colors;
         first = ClipColors.OWN.of(method);
         second = ClipColors.OWN.of(other);
         this.labels = labels;
@@ -93,27 +93,27 @@ final class ClipPainter {
 
     private Color ground(ClipMark.Ink ink) {
         return switch (ink) {
-            case WINDOW -> colours.margin();
-            case TESTED -> translucent(colours.focus());
+            case WINDOW -> colors.margin();
+            case TESTED -> translucent(colors.focus());
             case LEFT, STEP -> translucent(first);
-            default -> translucent(colours.axis());
+            default -> translucent(colors.axis());
         };
     }
 
-    private static Color translucent(Color colour) {
-        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), TRANSLUCENT);
+    private static Color translucent(Color color) {
+        return new Color(color.getRed(), color.getGreen(), color.getBlue(), TRANSLUCENT);
     }
 
     private void paint(ClipMark.Line line) {
         Path2D path = inView.line(line.points(), line.closed());
         switch (line.ink()) {
-            case WINDOW -> stroke(path, colours.ink(), 2f);
-            case HIDDEN -> dashed(path, colours.axis(), 1.4f, 5);
-            case HELP -> dashed(path, colours.axis(), 1f, 3);
-            case GIVEN -> stroke(path, MethodColors.mix(colours.axis(), colours.ink(), 0.25), 1.6f);
+            case WINDOW -> stroke(path, colors.ink(), 2f);
+            case HIDDEN -> dashed(path, colors.axis(), 1.4f, 5);
+            case HELP -> dashed(path, colors.axis(), 1f, 3);
+            case GIVEN -> stroke(path, MethodColors.mix(colors.axis(), colors.ink(), 0.25), 1.6f);
             case LEFT -> edged(path, first, 5f);
             case STEP -> edged(path, first, 3f);
-            case TESTED -> stroke(path, colours.focus(), 2.6f);
+            case TESTED -> stroke(path, colors.focus(), 2.6f);
             case MISSING -> wrong(path, line, MethodColors.VERMILLION, PixelMark.MISSING);
             case EXTRA -> wrong(path, line, MethodColors.VERMILLION, PixelMark.EXTRA);
             case ONLY_FIRST -> wrong(path, line, first, PixelMark.EXTRA);
@@ -121,14 +121,14 @@ final class ClipPainter {
         }
     }
 
-    private void stroke(Path2D path, Color colour, float width) {
-        g.setColor(colour);
+    private void stroke(Path2D path, Color color, float width) {
+        g.setColor(color);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(path);
     }
 
-    private void dashed(Path2D path, Color colour, float width, float dash) {
-        g.setColor(colour);
+    private void dashed(Path2D path, Color color, float width, float dash) {
+        g.setColor(color);
         g.setStroke(
                 new BasicStroke(
                         width,
@@ -141,17 +141,17 @@ final class ClipPainter {
     }
 
     /** Draws a path with an edge that is seen on the ground, whatever the colour. */
-    private void edged(Path2D path, Color colour, float width) {
-        stroke(path, MethodColors.edgeOn(colours.ground(), colour), width + 1.5f);
-        stroke(path, colour, width);
+    private void edged(Path2D path, Color color, float width) {
+        stroke(path, MethodColors.edgeOn(colors.ground(), color), width + 1.5f);
+        stroke(path, color, width);
     }
 
     /** Draws missing parts dashed with rings, and parts that are too much whole with crosses. */
-    private void wrong(Path2D path, ClipMark.Line line, Color colour, PixelMark mark) {
+    private void wrong(Path2D path, ClipMark.Line line, Color color, PixelMark mark) {
         if (mark == PixelMark.MISSING) {
-            stroke(path, colours.ground(), 5f);
-            dashed(path, colour, 3.2f, 7);
-        } else stroke(path, colour, 2.4f);
+            stroke(path, colors.ground(), 5f);
+            dashed(path, color, 3.2f, 7);
+        } else stroke(path, color, 2.4f);
         ClipPoint from = line.points().get(0);
         ClipPoint to = line.points().get(line.points().size() - 1);
         double right = map.viewX(to.x()) - map.viewX(from.x());
@@ -189,8 +189,8 @@ final class ClipPainter {
     /**
      * Color of a region's code: less than the ink, yet to be read on the ground and in the window.
      */
-    static Color code(StageColors colours) {
-        return MethodColors.mix(colours.axis(), colours.ink(), 0.5);
+    static Color code(StageColors colors) {
+        return MethodColors.mix(colors.axis(), colors.ink(), 0.5);
     }
 
     /** Paints a region behind everything else. */
@@ -203,7 +203,7 @@ final class ClipPainter {
         var seen = new Rectangle2D.Double(left, top, right - left, bottom - top);
         var places = new CodePlace(seen, labels, segments);
         Font label = g.getFont();
-        g.setColor(code(colours));
+        g.setColor(code(colors));
         for (float larger : LARGER) {
             Font font = label.deriveFont(label.getSize2D() * larger);
             GlyphVector code = font.createGlyphVector(g.getFontRenderContext(), region.words());
@@ -230,7 +230,7 @@ final class ClipPainter {
                 x,
                 y,
                 Math.atan2(-sign.dy() * Math.abs(map.scaleY()), sign.dx() * map.scaleX()),
-                colours);
+                colors);
         if (sign.words().isEmpty()) return;
         FontMetrics metrics = g.getFontMetrics();
         Rectangle place = words.take(x, y, metrics.stringWidth(sign.words()), metrics.getHeight());
@@ -238,13 +238,13 @@ final class ClipPainter {
     }
 
     private void plate(String said, int x, int y) {
-        Color ground = colours.ground();
+        Color ground = colors.ground();
         Plates.plate(
                 g,
                 said,
                 x,
                 y,
                 new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 215),
-                colours.ink());
+                colors.ink());
     }
 }

@@ -102,8 +102,8 @@ record ClipPicture(
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        new ClipPainter(g, map, colours, method, other, labels).paint(drawn, cancelled);
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        new ClipPainter(g, map, colors, method, other, labels).paint(drawn, cancelled);
     }
 
     @Override

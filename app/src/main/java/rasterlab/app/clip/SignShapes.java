@@ -24,17 +24,17 @@ final class SignShapes {
             double x,
             double y,
             double angle,
-            StageColors colours) {
+            StageColors colors) {
         var place = AffineTransform.getTranslateInstance(x, y);
         place.rotate(angle);
         Shape shape = place.createTransformedShape(outline(sign));
         boolean filled = sign == ClipMark.Shape.ENTERING || sign == ClipMark.Shape.TESTED;
         g.setStroke(new BasicStroke(5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.draw(shape);
         g.fill(shape);
         g.setStroke(new BasicStroke(2.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        g.setColor(colours.focus());
+        g.setColor(colors.focus());
         if (filled) g.fill(shape);
         g.draw(shape);
         if (sign == ClipMark.Shape.EYE)

@@ -27,10 +27,10 @@ record VolumeNumbers(double[] normalize, double[] canonical, List<double[]> ends
         var ends = new ArrayList<double[]>();
         for (int end = 0; end < 2; end++) {
             SpacePoint p = scene.segments().get(0).end(end);
-            var normalised = new Vector4d(p.x(), p.y(), p.z(), 1);
-            Vector4d clip = canonical.transform(new Vector4d(normalised));
-            ends.add(numbers(back.transform(new Vector4d(normalised))));
-            ends.add(numbers(normalised));
+            var normalized = new Vector4d(p.x(), p.y(), p.z(), 1);
+            Vector4d clip = canonical.transform(new Vector4d(normalized));
+            ends.add(numbers(back.transform(new Vector4d(normalized))));
+            ends.add(numbers(normalized));
             ends.add(numbers(clip));
             ends.add(numbers(new Vector4d(clip).div(clip.w)));
         }

@@ -143,7 +143,7 @@ final class FoundPage {
                         texts.locale().getLanguage(),
                         head,
                         Html.escaped(title),
-                        Html.style() + style() + VerdictTable.COLOURS,
+                        Html.style() + style() + VerdictTable.COLORS,
                         Html.escaped(title),
                         body)
                 .getBytes(StandardCharsets.UTF_8);

@@ -51,7 +51,7 @@ final class HazardHtml {
                 .formatted(
                         language.locale().getLanguage(),
                         escaped(title),
-                        STYLE + VerdictTable.COLOURS,
+                        STYLE + VerdictTable.COLORS,
                         body);
     }
 

@@ -13,7 +13,7 @@ import rasterlab.engine.study.Verdict;
 /** The table of a topic's verdicts: each has its sign and leads to what its page says of it. */
 public final class VerdictTable {
     /** The colour of each verdict, at the left edge of whatever has its class. */
-    public static final String COLOURS =
+    public static final String COLORS =
             """
             .exact{border-left-color:#009e73}.degraded{border-left-color:#e69f00}
             .wrong,.crashed{border-left-color:#d55e00}.refused{border-left-color:#7f7f7f}

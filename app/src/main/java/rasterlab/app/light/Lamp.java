@@ -80,7 +80,7 @@ public record Lamp(
                 exponent);
     }
 
-    public Lamp coloured(int other) {
+    public Lamp colored(int other) {
         return new Lamp(
                 kind, on, x, y, z, other, strength, constant, linear, quadratic, cutoff, exponent);
     }

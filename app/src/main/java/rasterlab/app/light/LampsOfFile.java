@@ -20,9 +20,9 @@ final class LampsOfFile {
     /** The choice with the light of a file; empty where no lamps of the lab shine so. */
     static Optional<LightChoice> lit(LightChoice choice, SceneLight light) {
         double[] everywhere = light.model().globalAmbient();
-        boolean grey = everywhere[0] == everywhere[1] && everywhere[1] == everywhere[2];
+        boolean gray = everywhere[0] == everywhere[1] && everywhere[1] == everywhere[2];
         List<Light> lights = light.model().lights();
-        if (!grey || light.atEye().isPresent() || lights.size() > LightChoice.MOST_LAMPS)
+        if (!gray || light.atEye().isPresent() || lights.size() > LightChoice.MOST_LAMPS)
             return Optional.empty();
         var lamps = new ArrayList<Lamp>();
         for (Light each : lights) {
@@ -52,23 +52,23 @@ final class LampsOfFile {
         Attenuation a = source.attenuation();
         double unit = Lamp.UNIT;
         Lamp lamp = white.attenuated(a.constant(), a.linear() * unit, a.quadratic() * unit * unit);
-        return coloured(lamp, source.diffuse()).filter(found -> same(found.light(), light));
+        return colored(lamp, source.diffuse()).filter(found -> same(found.light(), light));
     }
 
     /** The brightest channel counts most in a colour of 8 bits and its strength. */
-    private static Optional<Lamp> coloured(Lamp lamp, double[] rgb) {
+    private static Optional<Lamp> colored(Lamp lamp, double[] rgb) {
         double most = Math.max(rgb[0], Math.max(rgb[1], rgb[2]));
-        if (most == 0) return Optional.of(lamp.coloured(0));
+        if (most == 0) return Optional.of(lamp.colored(0));
         for (int level = 255; level > 0; level--) {
             double strength = most * 255 / level;
-            int colour = 0;
+            int color = 0;
             boolean whole = strength >= Lamp.FAINTEST && strength <= Lamp.STRONGEST;
             for (double channel : rgb) {
                 double exact = 255 * channel / strength;
                 whole &= Math.abs(exact - Math.rint(exact)) < SAME * 255;
-                colour = colour << 8 | (int) Math.rint(exact);
+                color = color << 8 | (int) Math.rint(exact);
             }
-            if (whole) return Optional.of(lamp.coloured(colour).withStrength(strength));
+            if (whole) return Optional.of(lamp.colored(color).withStrength(strength));
         }
         return Optional.empty();
     }

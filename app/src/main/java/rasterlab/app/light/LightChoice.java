@@ -83,7 +83,7 @@ public record LightChoice(
                 MaterialChoice.of(Substance.BRASS),
                 List.of(
                         Lamp.at(112, -18, 103),
-                        Lamp.at(35, 109, -16).withStrength(0.4).coloured(0x9EC9FF)),
+                        Lamp.at(35, 109, -16).withStrength(0.4).colored(0x9EC9FF)),
                 0,
                 LightModel.AMBIENT,
                 LightTerm.all(),

@@ -1,5 +1,6 @@
 package rasterlab.app.light;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -34,7 +35,10 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private static final double STEEPEST = Math.PI - 0.05;
 
     /** The part of the state that undo brings back. */
-    record Chosen(LightChoice light, boolean colours, ColorChoice colour) {}
+    record Chosen(
+            LightChoice light,
+            @JsonProperty("colours") boolean colors,
+            @JsonProperty("colour") ColorChoice color) {}
 
     private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
     private final LatestReading reader;
@@ -121,13 +125,13 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** Lights a scene of the user's. */
     void open(LightChoice light) {
         history.remember();
-        show(new Chosen(light, false, state.colour()));
+        show(new Chosen(light, false, state.color()));
     }
 
     /** Lights a body that an earlier run has shown; there is nothing to undo afterwards. */
     void restore(LitBody body) {
         history.forget();
-        show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
+        show(new Chosen(state.choice().with(body), state.colors(), state.color()));
     }
 
     /** Whether the user has brought a program that may light the scene. */
@@ -143,7 +147,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      */
     public void showOwn(String topic, Optional<Object> input, String beside) {
         rows.close();
-        showColours(false);
+        showColors(false);
         input.ifPresent(one -> show(topic, "", one, beside));
         choose(choice -> choice.byOwn(topic));
         walk.reset();
@@ -194,34 +198,34 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
             return;
         }
         history.remember();
-        show(new Chosen(next, state.colours(), state.colour()));
+        show(new Chosen(next, state.colors(), state.color()));
     }
 
     /** Changes the colour and remembers how it was. */
-    public void colour(UnaryOperator<ColorChoice> change) {
-        ColorChoice next = change.apply(state.colour());
-        if (next.equals(state.colour())) return;
+    public void color(UnaryOperator<ColorChoice> change) {
+        ColorChoice next = change.apply(state.color());
+        if (next.equals(state.color())) return;
         history.remember();
-        show(new Chosen(state.choice(), state.colours(), next));
+        show(new Chosen(state.choice(), state.colors(), next));
     }
 
     /** How a colour comes back by the user's program; empty until that is found. */
-    public Optional<OwnTrips.Trips> ownTrips(ColorChoice colour) {
-        return ownTrips.of(colour);
+    public Optional<OwnTrips.Trips> ownTrips(ColorChoice color) {
+        return ownTrips.of(color);
     }
 
     /** Shows colour models and asks the user's program, which may be another by now, once more. */
-    public void enterColours() {
+    public void enterColors() {
         rows.close();
         ownTrips.forget();
-        showColours(true);
+        showColors(true);
     }
 
     /** Shows colour models instead of light, or light again. */
-    public void showColours(boolean shown) {
-        if (shown == state.colours()) return;
+    public void showColors(boolean shown) {
+        if (shown == state.colors()) return;
         history.remember();
-        show(new Chosen(state.choice(), shown, state.colour()));
+        show(new Chosen(state.choice(), shown, state.color()));
     }
 
     /** Says beside the present picture in what it is other than a hazard. */
@@ -229,9 +233,9 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         state =
                 new LightLabState(
                         state.choice(),
-                        state.colours(),
+                        state.colors(),
                         state.drawn(),
-                        state.colour(),
+                        state.color(),
                         state.problem(),
                         Optional.of(note));
         tellAll();
@@ -244,17 +248,17 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      * @param method by which, where the lab has it
      */
     public void show(String topic, String hazard, Object input, String method) {
-        boolean colours = input instanceof Colors;
-        ColorChoice colour = state.colour();
+        boolean colors = input instanceof Colors;
+        ColorChoice color = state.color();
         LightChoice light = state.choice();
         boolean mine = method.equals(OwnMethods.NAME);
-        if (input instanceof Colors colors) colour = colour.with(colors, method);
+        if (input instanceof Colors several) color = color.with(several, method);
         else
             light =
                     TopicBodies.shown(
                             TopicBodies.body(topic, hazard, input), input, mine ? "" : method);
-        if (mine && !colours) light = light.byOwn(topic);
-        var next = new Chosen(light, colours, colour);
+        if (mine && !colors) light = light.byOwn(topic);
+        var next = new Chosen(light, colors, color);
         if (next.equals(chosen())) return;
         history.remember();
         show(next);
@@ -305,7 +309,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     /** Returns to the first light and colour; can be undone. */
     public void reset() {
-        var first = new Chosen(LightChoice.first(), state.colours(), ColorChoice.first());
+        var first = new Chosen(LightChoice.first(), state.colors(), ColorChoice.first());
         if (first.equals(chosen())) {
             forgetProblem();
             return;
@@ -326,7 +330,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
                 body.opened().isEmpty()
                         ? state.choice()
                         : state.choice().with(LightChoice.first().body());
-        return new Chosen(light, state.colours(), state.colour());
+        return new Chosen(light, state.colors(), state.color());
     }
 
     @Override
@@ -359,7 +363,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     private Chosen chosen() {
-        return new Chosen(state.choice(), state.colours(), state.colour());
+        return new Chosen(state.choice(), state.colors(), state.color());
     }
 
     private void show(Chosen next) {
@@ -367,9 +371,9 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         state =
                 new LightLabState(
                         next.light(),
-                        next.colours(),
+                        next.colors(),
                         state.drawn(),
-                        next.colour(),
+                        next.color(),
                         "",
                         Optional.empty());
         publish(next.light(), state.drawn(), "");
@@ -384,7 +388,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn, String problem) {
         state =
                 new LightLabState(
-                        choice, state.colours(), drawn, state.colour(), problem, state.note());
+                        choice, state.colors(), drawn, state.color(), problem, state.note());
         tellAll();
     }
 

@@ -6,17 +6,17 @@ import rasterlab.app.canvas.method.HazardNote;
 /**
  * The state that the lab shows at one moment.
  *
- * @param colours whether colour models are shown instead of light
+ * @param colors whether colour models are shown instead of light
  * @param drawn the newest pictures, maybe of an earlier choice
- * @param colour the colour in all models
+ * @param color the colour in all models
  * @param problem why a file was not opened, or what of it is not shown; "" if nothing or something
  *     else was chosen since
  * @param note in what the picture is other than the hazard that it was opened for
  */
 public record LightLabState(
         LightChoice choice,
-        boolean colours,
+        boolean colors,
         Optional<LightFrame.Drawn> drawn,
-        ColorChoice colour,
+        ColorChoice color,
         String problem,
         Optional<HazardNote> note) {}

@@ -84,16 +84,16 @@ record LitSamples(int[] faces, int width, int side, int[] sample, List<SeenPoint
     }
 
     /** A picture of the body in which each square has the colour of its point. */
-    Raster picture(int background, IntUnaryOperator colour) {
+    Raster picture(int background, IntUnaryOperator color) {
         var out = new Raster(width, faces.length / width);
         out.clear(0xFF000000 | background);
         int across = (width + side - 1) / side;
-        var colours = new int[points.size()];
-        for (int k = 0; k < colours.length; k++) colours[k] = colour.applyAsInt(k);
+        var colors = new int[points.size()];
+        for (int k = 0; k < colors.length; k++) colors[k] = color.applyAsInt(k);
         for (int pixel = 0; pixel < faces.length; pixel++)
             if (faces[pixel] > 0) {
                 int square = pixel / width / side * across + pixel % width / side;
-                out.argb()[pixel] = colours[sample[square]];
+                out.argb()[pixel] = colors[sample[square]];
             }
         return out;
     }

@@ -23,7 +23,7 @@ import rasterlab.engine.light.face.MachBands;
 /** Brightness along the equator of a faceted sphere by flat, Gouraud's and Phong's shading. */
 public final class MachBandsChart {
     private static final int PER_FACE = 51;
-    private static final Color[] COLOURS = {
+    private static final Color[] COLORS = {
         MethodColors.ORANGE, MethodColors.BLUE, MethodColors.GREEN
     };
 
@@ -88,7 +88,7 @@ public final class MachBandsChart {
                         .build();
         ChartLook.PAPER.style(chart.getStyler(), texts.locale());
         style(chart.getStyler());
-        int colour = 0;
+        int color = 0;
         for (var profile : profiles().entrySet()) {
             XYSeries series =
                     chart.addSeries(
@@ -96,7 +96,7 @@ public final class MachBandsChart {
                             uneven(places()),
                             profile.getValue().brightness());
             series.setMarker(SeriesMarkers.NONE);
-            series.setLineColor(COLOURS[colour++]);
+            series.setLineColor(COLORS[color++]);
             series.setLineStyle(new BasicStroke(3f));
         }
         return chart;

@@ -48,7 +48,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnRemarks remarks) {
         LightAtPoints light = LightAtPoints.of(choice, places.view());
         LitSamples samples = LitSamples.of(places.view(), light.most());
         double[] right = light.right(own, samples.points(), cancelled);
-        Raster shown = samples.picture(background, k -> colour(right, k));
+        Raster shown = samples.picture(background, k -> color(right, k));
         try {
             double[] mine = light.by(own, samples.points(), cancelled);
             Optional<double[]> here =
@@ -59,9 +59,9 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnRemarks remarks) {
                             samples.points(),
                             mine,
                             right,
-                            colour -> samples.picture(background, colour));
+                            color -> samples.picture(background, color));
             return new OwnLight(
-                    samples.picture(background, k -> colour(mine, k)),
+                    samples.picture(background, k -> color(mine, k)),
                     shown,
                     samples.picture(background, k -> mark(difference(mine, right, k))),
                     remarks(here, steps));
@@ -79,7 +79,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnRemarks remarks) {
         return new OwnLight(none, right, none, OwnRemarks.refused(why.getMessage()));
     }
 
-    private static int colour(double[] light, int k) {
+    private static int color(double[] light, int k) {
         return Levels.rgb(light[3 * k], light[3 * k + 1], light[3 * k + 2]);
     }
 
@@ -108,7 +108,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnRemarks remarks) {
     /** The pictures of a program's light and of its difference up to a step. */
     static List<Raster> upTo(int step, LightSteps steps) {
         return List.of(
-                steps.picture(step, k -> colour(steps.mine(), k), OPEN),
+                steps.picture(step, k -> color(steps.mine(), k), OPEN),
                 steps.picture(step, k -> mark(difference(steps.mine(), steps.right(), k)), OPEN));
     }
 

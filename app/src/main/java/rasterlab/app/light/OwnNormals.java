@@ -70,7 +70,7 @@ record OwnNormals(Scene scene, Scene right, OwnRemarks remarks) {
             var usable = new double[found.coordinates().length];
             for (int i = 0; i < found.size(); i++) {
                 double[] one = Arrays.copyOfRange(found.coordinates(), 3 * i, 3 * i + 3);
-                if (found.has(i) && UnitVector.normalise(one))
+                if (found.has(i) && UnitVector.normalize(one))
                     System.arraycopy(one, 0, usable, 3 * i, 3);
             }
             return usable;

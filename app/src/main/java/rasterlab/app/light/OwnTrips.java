@@ -27,7 +27,7 @@ public final class OwnTrips implements AutoCloseable {
      *     answer
      * @param refusal why there is none, in English; "" otherwise
      */
-    public record Trips(ColorChoice colour, Map<ColorModel, Double> errors, String refusal) {
+    public record Trips(ColorChoice color, Map<ColorModel, Double> errors, String refusal) {
         /** Why there is no answer, in words; "" where there is one. */
         public String refusalIn(Language language) {
             if (refusal.isEmpty()) return "";
@@ -49,8 +49,8 @@ public final class OwnTrips implements AutoCloseable {
         trips =
                 new LatestOnly<>(
                         "own colours",
-                        (colour, cancelled) -> trips(topic, colour),
-                        (colour, answer) ->
+                        (color, cancelled) -> trips(topic, color),
+                        (color, answer) ->
                                 events.execute(
                                         () -> {
                                             newest = Optional.of(answer);
@@ -59,19 +59,19 @@ public final class OwnTrips implements AutoCloseable {
                         onFailure);
     }
 
-    private static Trips trips(Topic<ColorConverter, ?, ?> topic, ColorChoice colour) {
+    private static Trips trips(Topic<ColorConverter, ?, ?> topic, ColorChoice color) {
         ColorConverter program = topic.method(OwnMethods.NAME).implementation();
         try {
-            return new Trips(colour, colour.roundTrips(measured(program)), "");
+            return new Trips(color, color.roundTrips(measured(program)), "");
         } catch (NoAnswer none) {
-            return without(colour, none);
+            return without(color, none);
         } catch (WrongLength length) {
-            return without(colour, OwnMethods.misshapen(length));
+            return without(color, OwnMethods.misshapen(length));
         }
     }
 
-    private static Trips without(ColorChoice colour, NoAnswer why) {
-        return new Trips(colour, Map.of(), why.getMessage());
+    private static Trips without(ColorChoice color, NoAnswer why) {
+        return new Trips(color, Map.of(), why.getMessage());
     }
 
     /** The program, whose answers have the right length. */
@@ -84,12 +84,12 @@ public final class OwnTrips implements AutoCloseable {
     }
 
     /** The colour that came back; empty until it is found, which this call starts. */
-    Optional<Trips> of(ColorChoice colour) {
-        if (asked.filter(colour::equals).isEmpty()) {
-            asked = Optional.of(colour);
-            trips.ask(colour);
+    Optional<Trips> of(ColorChoice color) {
+        if (asked.filter(color::equals).isEmpty()) {
+            asked = Optional.of(color);
+            trips.ask(color);
         }
-        return newest.filter(trip -> trip.colour().equals(colour));
+        return newest.filter(trip -> trip.color().equals(color));
     }
 
     /** Asks again: the program may be another by now. */

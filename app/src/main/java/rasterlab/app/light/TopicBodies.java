@@ -198,11 +198,11 @@ public final class TopicBodies {
 
     /** One lamp and a material like that, all of whose shares are grey. */
     private static LightChoice lit(LightChoice first, SurfaceMaterial like, double ambient) {
-        Substance grey = Substance.SILVER;
-        SurfaceMaterial whole = grey.surface();
+        Substance gray = Substance.SILVER;
+        SurfaceMaterial whole = gray.surface();
         var material =
                 new MaterialChoice(
-                        grey,
+                        gray,
                         like.ambient()[0] / whole.ambient()[0],
                         like.diffuse()[0] / whole.diffuse()[0],
                         like.specular()[0] / whole.specular()[0],
@@ -228,7 +228,7 @@ public final class TopicBodies {
         String shown = method.equals(OwnMethods.NAME) ? "" : method;
         if (!(input instanceof Colors colors)) return differences(input, shown);
         return ColorChoice.first().with(colors, "formula").outside()
-                ? List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))
+                ? List.of(ShownDifference.of(ShownDifference.Kind.COLOR_CUT))
                 : List.of();
     }
 }

@@ -114,7 +114,7 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> differences) {
         var unit = new double[normals.length];
         for (int i = 0; i < normals.length; i += 3) {
             double[] one = Arrays.copyOfRange(normals, i, i + 3);
-            if (!UnitVector.normalise(one)) one[2] = 1;
+            if (!UnitVector.normalize(one)) one[2] = 1;
             System.arraycopy(one, 0, unit, i, 3);
         }
         return unit;
@@ -169,7 +169,7 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> differences) {
                     kinds.add(ShownDifference.Kind.FACE_NORMAL);
                     for (int axis = 0; axis < 3; axis++) one[axis] = mesh.cornerNormal(f, c, axis);
                 }
-                UnitVector.normalise(one);
+                UnitVector.normalize(one);
                 System.arraycopy(one, 0, normals, 3 * (mesh.firstCorner(f) + c), 3);
             }
         if (kinds.contains(ShownDifference.Kind.FACE_NORMAL))

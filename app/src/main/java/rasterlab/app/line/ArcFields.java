@@ -14,7 +14,7 @@ final class ArcFields {
     private final NumberField y;
     private final NumberField radiusX;
     private final NumberField radiusY;
-    private final JPanel centre = row();
+    private final JPanel center = row();
     private final JPanel radii = row();
 
     ArcFields(FigureLabModel model, Texts texts) {
@@ -22,16 +22,16 @@ final class ArcFields {
                 field(
                         "centre.x",
                         texts,
-                        value -> model.arc(old -> old.withCentre(value, old.centreY())));
+                        value -> model.arc(old -> old.withCenter(value, old.centerY())));
         y =
                 field(
                         "centre.y",
                         texts,
-                        value -> model.arc(old -> old.withCentre(old.centreX(), value)));
+                        value -> model.arc(old -> old.withCenter(old.centerX(), value)));
         radiusX = field("radius.x", texts, value -> model.arc(old -> old.withRadiusX(value)));
         radiusY = field("radius.y", texts, value -> model.arc(old -> old.withRadiusY(value)));
-        centre.add(x, "wmin 0");
-        centre.add(y, "wmin 0");
+        center.add(x, "wmin 0");
+        center.add(y, "wmin 0");
         radii.add(radiusX, "wmin 0");
         radii.add(radiusY, "wmin 0");
     }
@@ -55,8 +55,8 @@ final class ArcFields {
         return field;
     }
 
-    JPanel centre() {
-        return centre;
+    JPanel center() {
+        return center;
     }
 
     JPanel radii() {
@@ -64,8 +64,8 @@ final class ArcFields {
     }
 
     void show(ArcFigure arc) {
-        x.show(arc.centreX());
-        y.show(arc.centreY());
+        x.show(arc.centerX());
+        y.show(arc.centerY());
         radiusX.show(arc.radiusX());
         radiusY.show(arc.radiusY());
         radiusY.setVisible(!arc.round());

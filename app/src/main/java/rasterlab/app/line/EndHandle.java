@@ -89,9 +89,9 @@ final class EndHandle extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        StageColors colours = StageColors.now();
+        StageColors colors = StageColors.now();
         if (away.isPresent()) {
-            EdgeArrow.paint(g, colours, getWidth(), getHeight(), away.getAsDouble(), showsFocus());
+            EdgeArrow.paint(g, colors, getWidth(), getHeight(), away.getAsDouble(), showsFocus());
             g.dispose();
             return;
         }
@@ -100,10 +100,10 @@ final class EndHandle extends SelfDrawn {
                 end == End.A
                         ? new Ellipse2D.Double(3, 3, size, size)
                         : new RoundRectangle2D.Double(3.5, 3.5, size - 1, size - 1, 6, 6);
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.setStroke(new BasicStroke(showsFocus() ? 5.5f : 4.5f));
         g.draw(ring);
-        g.setColor(showsFocus() ? colours.focus() : colours.ink());
+        g.setColor(showsFocus() ? colors.focus() : colors.ink());
         g.setStroke(new BasicStroke(showsFocus() ? 3.5f : 2f));
         g.draw(ring);
         g.dispose();

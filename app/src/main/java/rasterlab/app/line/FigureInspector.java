@@ -71,7 +71,7 @@ final class FigureInspector {
         column.row("mode", mode);
         addMethods();
         fields = new ArcFields(model, texts);
-        column.row("centre", fields.centre());
+        column.row("centre", fields.center());
         column.row("radii", fields.radii());
         width =
                 new NumberSlider(
@@ -167,7 +167,7 @@ final class FigureInspector {
                     comparison.get(each).show(scene.comparison());
                 });
         boolean arc = scene.figure() instanceof ArcFigure;
-        column.showRow(fields.centre(), arc);
+        column.showRow(fields.center(), arc);
         column.showRow(fields.radii(), arc);
         if (scene.figure() instanceof ArcFigure shown) showArc(shown);
         boolean pen = scene.figure() instanceof PenFigure;

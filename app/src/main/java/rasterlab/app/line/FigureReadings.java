@@ -40,18 +40,18 @@ public final class FigureReadings {
     /** Columns and rows of that pixel from the centre. */
     String offset() {
         if (state.step() == 0) return NONE;
-        RasterPoint offset = fromCentre();
+        RasterPoint offset = fromCenter();
         return "u = "
                 + Shown.number(offset.x(), locale())
                 + ", v = "
                 + Shown.number(offset.y(), locale());
     }
 
-    private RasterPoint fromCentre() {
+    private RasterPoint fromCenter() {
         var arc = (ArcFigure) state.drawn().figure();
         double x = drawing.pixels().x(state.step() - 1);
         double y = drawing.pixels().y(state.step() - 1);
-        return new RasterPoint(Math.abs(x - arc.centreX()), Math.abs(y - arc.centreY()));
+        return new RasterPoint(Math.abs(x - arc.centerX()), Math.abs(y - arc.centerY()));
     }
 
     /**
@@ -60,7 +60,7 @@ public final class FigureReadings {
      */
     String decision() {
         if (state.step() == 0 || state.finished()) return NONE;
-        RasterPoint offset = fromCentre();
+        RasterPoint offset = fromCenter();
         Double own = drawing.decisions().get(offset);
         if (own == null) own = drawing.decisions().get(new RasterPoint(offset.y(), offset.x()));
         return own == null ? NONE : Shown.number(own, locale());

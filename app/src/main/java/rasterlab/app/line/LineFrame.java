@@ -44,7 +44,7 @@ record LineFrame(
         int width,
         int height,
         double scale,
-        StageColors colours,
+        StageColors colors,
         Font font,
         String note,
         Rectangle zoom,
@@ -62,14 +62,14 @@ record LineFrame(
      */
     void paint(Graphics2D g, BooleanSupplier cancelled) {
         DevicePixels.smooth(g);
-        var rulers = new Rulers(grid, new Dimension(width, height), colours, font);
+        var rulers = new Rulers(grid, new Dimension(width, height), colors, font);
         rulers.paintGrid(g);
-        new LinePainter(g, grid, colours, cancelled).paint(drawings, step);
+        new LinePainter(g, grid, colors, cancelled).paint(drawings, step);
         g.setFont(font.deriveFont(Font.BOLD));
         StageNote said = note(note, new Dimension(width, height), font);
         paintLetters(g, said.below());
         rulers.paintMargins(g);
-        said.paint(g, colours);
+        said.paint(g, colors);
     }
 
     /** A sentence over the picture, beside the rulers. */
@@ -105,8 +105,8 @@ record LineFrame(
                     label(end, drawings.choice().segment(), locale),
                     place.x + 4,
                     place.y + 1 + metrics.getAscent(),
-                    Plates.nearlyOpaque(colours.ground()),
-                    colours.ink());
+                    Plates.nearlyOpaque(colors.ground()),
+                    colors.ink());
         }
     }
 

@@ -23,16 +23,16 @@ import rasterlab.engine.raster.PixelWindow;
 final class LinePainter {
     private final Graphics2D g;
     private final ZoomedGrid grid;
-    private final StageColors colours;
+    private final StageColors colors;
     private final BooleanSupplier cancelled;
 
     /**
      * @param cancelled asked at each pixel
      */
-    LinePainter(Graphics2D g, ZoomedGrid grid, StageColors colours, BooleanSupplier cancelled) {
+    LinePainter(Graphics2D g, ZoomedGrid grid, StageColors colors, BooleanSupplier cancelled) {
         this.g = g;
         this.grid = grid;
-        this.colours = colours;
+        this.colors = colors;
         this.cancelled = cancelled;
     }
 
@@ -65,7 +65,7 @@ final class LinePainter {
     private void paintWindow(PixelWindow window) {
         double left = grid.viewX(window.xmin() - 0.5);
         double top = grid.viewY(window.ymin() - 0.5);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.setStroke(new BasicStroke(1.2f));
         g.draw(
                 new Rectangle2D.Double(
@@ -78,7 +78,7 @@ final class LinePainter {
 
     /** Coverage is opacity, of a colour that stands out from the ground where it is whole. */
     private void paintCoverage(LineDrawing drawing, int step, double inset) {
-        Color whole = MethodColors.edgeOn(colours.ground(), LineColors.OWN.of(drawing.method()));
+        Color whole = MethodColors.edgeOn(colors.ground(), LineColors.OWN.of(drawing.method()));
         for (PixelCoverage.Shade shade : drawing.coverage().orElseThrow().drawn().shades()) {
             if (shade.step() > step) return;
             requireUse();
@@ -93,7 +93,7 @@ final class LinePainter {
             return;
         }
         Color fill = LineColors.OWN.of(drawing.method());
-        Color edge = MethodColors.edgeOn(colours.ground(), fill);
+        Color edge = MethodColors.edgeOn(colors.ground(), fill);
         double gap = grid.cell() >= 6 ? 1 : 0;
         for (int i = 1; i <= step; i++) {
             requireUse();
@@ -144,16 +144,16 @@ final class LinePainter {
         for (PixelSet alone : List.of(apart.extra(), apart.missing()))
             for (int i = 0; i < alone.size(); i++) {
                 requireUse();
-                AloneMark.paint(g, colours, square(alone.x(i), alone.y(i), 0));
+                AloneMark.paint(g, colors, square(alone.x(i), alone.y(i), 0));
             }
     }
 
     private void paintExactLine(Segment segment) {
         Line2D line = grid.line(segment.x0(), segment.y0(), segment.x1(), segment.y1());
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.setStroke(new BasicStroke(3.6f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(line);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.setStroke(new BasicStroke(1.6f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(line);
     }
@@ -161,7 +161,7 @@ final class LinePainter {
     /** Draws a frame around each pixel that the last step lit. */
     private void paintCurrent(LineDrawing drawing, int step) {
         if (grid.cell() < 6) return;
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.setStroke(new BasicStroke(2f));
         for (PixelCoverage.Shade shade : drawing.shades(step))
             g.draw(square(shade.x(), shade.y(), 0));

@@ -21,7 +21,7 @@ public final class FileLevels {
      */
     public static int components(BufferedImage picture) {
         ColorModel model = picture.getColorModel();
-        return (isGrey(model) ? 1 : 3) + (model.hasAlpha() ? 1 : 0);
+        return (isGray(model) ? 1 : 3) + (model.hasAlpha() ? 1 : 0);
     }
 
     /**
@@ -32,16 +32,16 @@ public final class FileLevels {
      */
     public static void row(BufferedImage picture, int y, int[] argb, int at) {
         int width = picture.getWidth();
-        if (!isGrey(picture.getColorModel())) {
+        if (!isGray(picture.getColorModel())) {
             picture.getRGB(0, y, width, 1, argb, at, width);
             return;
         }
         Raster levels = picture.getRaster();
         boolean alpha = picture.getColorModel().hasAlpha();
         for (int x = 0; x < width; x++) {
-            int grey = level(picture, levels.getSample(x, y, 0), 0);
+            int gray = level(picture, levels.getSample(x, y, 0), 0);
             int opacity = alpha ? level(picture, levels.getSample(x, y, 1), 1) : 255;
-            argb[at + x] = opacity << 24 | grey * 0x010101;
+            argb[at + x] = opacity << 24 | gray * 0x010101;
         }
     }
 
@@ -50,7 +50,7 @@ public final class FileLevels {
         return (2 * 255 * sample + highest) / (2 * highest);
     }
 
-    private static boolean isGrey(ColorModel model) {
+    private static boolean isGray(ColorModel model) {
         return model.getColorSpace().getType() == ColorSpace.TYPE_GRAY;
     }
 }

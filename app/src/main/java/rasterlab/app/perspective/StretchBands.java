@@ -42,11 +42,11 @@ final class StretchBands extends Annotation {
 
     /** The bands' names stand one below the other, since they are wider than their bands. */
     private void band(Graphics2D graphics, double from, Stretch stretch, int alpha) {
-        Color colour = MethodColors.VERMILLION;
+        Color color = MethodColors.VERMILLION;
         int left = getXAxisScreenValue(from);
         int right = getXAxisScreenValue(stretch.end());
         int top = getYAxisScreenValue(highest);
-        graphics.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha));
+        graphics.setColor(new Color(color.getRed(), color.getGreen(), color.getBlue(), alpha));
         graphics.fillRect(left, top, right - left, getYAxisScreenValue(0) - top);
         graphics.setColor(Color.DARK_GRAY);
         int y = top + 30 * (stretch.ordinal() + 1);

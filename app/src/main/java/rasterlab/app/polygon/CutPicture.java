@@ -56,30 +56,30 @@ record CutPicture(
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        var strokes = new FigureLines(g, map, colours);
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        var strokes = new FigureLines(g, map, colors);
         List<Cut> made = answer.cuts().subList(0, Math.min(step, answer.steps()));
-        strokes.area(figure.corners(), colours.axis(), 40);
-        Color colour = PolygonColors.OWN.of(method);
+        strokes.area(figure.corners(), colors.axis(), 40);
+        Color color = PolygonColors.OWN.of(method);
         boolean stepping = step > 0 && step <= answer.steps();
         for (int i = 0; i < made.size(); i++) {
             boolean now = stepping && i == made.size() - 1;
-            strokes.area(corners(made.get(i)), now ? colours.focus() : colour, now ? 110 : 70);
+            strokes.area(corners(made.get(i)), now ? colors.focus() : color, now ? 110 : 70);
         }
-        for (Cut cut : made) strokes.outline(corners(cut), edge(colours, colour), 1.8f);
+        for (Cut cut : made) strokes.outline(corners(cut), edge(colors, color), 1.8f);
         for (Cut cut : other)
             strokes.dashed(
                     figure.corners().get(cut.a()),
                     figure.corners().get(cut.c()),
-                    edge(colours, PolygonColors.OWN.of(otherMethod)));
-        strokes.outline(figure.corners(), colours.ink(), 2);
-        if (stepping) paintStep(strokes, made.get(made.size() - 1), colours);
+                    edge(colors, PolygonColors.OWN.of(otherMethod)));
+        strokes.outline(figure.corners(), colors.ink(), 2);
+        if (stepping) paintStep(strokes, made.get(made.size() - 1), colors);
         for (Cut cut : made) if (cut.fault() != Fault.NONE) mark(g, map, cut);
         if (made.size() <= 30) number(strokes, made);
     }
 
-    private static Color edge(StageColors colours, Color colour) {
-        return MethodColors.edgeOn(colours.ground(), colour);
+    private static Color edge(StageColors colors, Color color) {
+        return MethodColors.edgeOn(colors.ground(), color);
     }
 
     private List<PolygonPoint> corners(Cut cut) {
@@ -87,9 +87,9 @@ record CutPicture(
         return List.of(corners.get(cut.a()), corners.get(cut.b()), corners.get(cut.c()));
     }
 
-    private void paintStep(FigureLines strokes, Cut cut, StageColors colours) {
+    private void paintStep(FigureLines strokes, Cut cut, StageColors colors) {
         List<PolygonPoint> corners = corners(cut);
-        strokes.line(corners.get(0), corners.get(2), colours.focus(), 4);
+        strokes.line(corners.get(0), corners.get(2), colors.focus(), 4);
     }
 
     /** Marks the middle of the triangle, shared with its number: the number stands above. */

@@ -17,27 +17,27 @@ final class FieldPainter {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColors colours;
+    private final StageColors colors;
     private final ClassificationField field;
     private final double size;
 
-    FieldPainter(Graphics2D g, PlaneMap map, StageColors colours, ClassificationField field) {
+    FieldPainter(Graphics2D g, PlaneMap map, StageColors colors, ClassificationField field) {
         this.g = g;
         this.map = map;
-        this.colours = colours;
+        this.colors = colors;
         this.field = field;
         size = field.step() * map.scaleX();
     }
 
     /** Paints where the first judge says inside, in that colour; where it refuses, in grey. */
-    void paintInside(Color colour) {
-        Color light = MethodColors.mix(colours.ground(), colour, SHARE);
-        Color grey = MethodColors.mix(colours.ground(), colours.axis(), SHARE);
+    void paintInside(Color color) {
+        Color light = MethodColors.mix(colors.ground(), color, SHARE);
+        Color gray = MethodColors.mix(colors.ground(), colors.axis(), SHARE);
         for (int row = 0; row < field.rows(); row++) {
             int column = 0;
             while (column < field.columns()) {
                 int from = column;
-                if (field.refused(column, row)) fill(from, column++, row, grey, 0.5);
+                if (field.refused(column, row)) fill(from, column++, row, gray, 0.5);
                 else if (!field.first(column, row)) column++;
                 else if (size >= ROOMY) fill(from, column++, row, light, 0.8);
                 else {
@@ -61,9 +61,9 @@ final class FieldPainter {
                     mark(column, row, field.first(column, row) ? onlyFirst : onlySecond);
     }
 
-    private void mark(int column, int row, Color colour) {
+    private void mark(int column, int row, Color color) {
         boolean extra = field.first(column, row);
-        if (size >= ROOMY && colour.equals(MethodColors.VERMILLION)) {
+        if (size >= ROOMY && color.equals(MethodColors.VERMILLION)) {
             double wide = Math.min(size, 18);
             (extra ? PixelMark.EXTRA : PixelMark.MISSING)
                     .paint(
@@ -73,12 +73,12 @@ final class FieldPainter {
                             wide);
             return;
         }
-        fill(column, column, row, colour, 1);
-        if (!extra) fill(column, column, row, colours.ground(), 0.45);
+        fill(column, column, row, color, 1);
+        if (!extra) fill(column, column, row, colors.ground(), 0.45);
     }
 
     /** Squares around points of a row, cut at whole view units so that no seam is seen. */
-    private void fill(int from, int to, int row, Color colour, double share) {
+    private void fill(int from, int to, int row, Color color, double share) {
         Object smooth = g.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
         double half = size * share / 2;
@@ -87,7 +87,7 @@ final class FieldPainter {
         int right = (int) Math.round(map.viewX(field.x(to)) + half);
         int top = (int) Math.round(y - half);
         int bottom = (int) Math.round(y + half);
-        g.setColor(colour);
+        g.setColor(color);
         g.fillRect(left, top, right - left, bottom - top);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, smooth);
     }

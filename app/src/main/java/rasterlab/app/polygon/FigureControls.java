@@ -23,7 +23,7 @@ final class FigureControls {
     private final NameChooser rule;
     private final NameChooser brush;
     private final NameChooser connectivity;
-    private final NameChooser colour;
+    private final NameChooser color;
 
     FigureControls(PolygonLabModel model, Texts texts, Inspector column) {
         whole = KeyedControls.box("whole", texts, on -> model.inside(old -> old.withWhole(on)));
@@ -49,13 +49,13 @@ final class FigureControls {
                         name -> texts.text("connectivity." + name),
                         name -> model.seed(old -> old.withConnectivity(Integer.parseInt(name))));
         column.row("connectivity", connectivity);
-        colour =
+        color =
                 new NameChooser(
                         "colour",
                         List.of("new", "same"),
                         name -> texts.text("colour." + name),
                         name -> model.seed(old -> old.withSame(name.equals("same"))));
-        column.row("colour", colour);
+        column.row("colour", color);
     }
 
     void refresh(PolygonFigure figure, Inspector column) {
@@ -70,10 +70,10 @@ final class FigureControls {
         }
         boolean seed = figure instanceof SeedFigure;
         column.showRow(connectivity, seed);
-        column.showRow(colour, seed);
+        column.showRow(color, seed);
         if (figure instanceof SeedFigure seeded) {
             connectivity.show(String.valueOf(seeded.connectivity()));
-            colour.show(seeded.same() ? "same" : "new");
+            color.show(seeded.same() ? "same" : "new");
         }
     }
 }

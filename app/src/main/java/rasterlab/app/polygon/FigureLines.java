@@ -20,12 +20,12 @@ final class FigureLines {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColors colours;
+    private final StageColors colors;
 
-    FigureLines(Graphics2D g, PlaneMap map, StageColors colours) {
+    FigureLines(Graphics2D g, PlaneMap map, StageColors colors) {
         this.g = g;
         this.map = map;
-        this.colours = colours;
+        this.colors = colors;
     }
 
     private double x(PolygonPoint place) {
@@ -61,20 +61,20 @@ final class FigureLines {
         return path;
     }
 
-    void outline(List<PolygonPoint> places, Color colour, float width) {
-        g.setColor(colour);
+    void outline(List<PolygonPoint> places, Color color, float width) {
+        g.setColor(color);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(closed(places));
     }
 
-    void line(PolygonPoint from, PolygonPoint to, Color colour, float width) {
-        g.setColor(colour);
+    void line(PolygonPoint from, PolygonPoint to, Color color, float width) {
+        g.setColor(color);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(new Line2D.Double(x(from), y(from), x(to), y(to)));
     }
 
-    void dashed(PolygonPoint from, PolygonPoint to, Color colour) {
-        g.setColor(colour);
+    void dashed(PolygonPoint from, PolygonPoint to, Color color) {
+        g.setColor(color);
         g.setStroke(
                 new BasicStroke(
                         1.6f,
@@ -86,8 +86,8 @@ final class FigureLines {
         g.draw(new Line2D.Double(x(from), y(from), x(to), y(to)));
     }
 
-    void area(List<PolygonPoint> places, Color colour, int alpha) {
-        g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha));
+    void area(List<PolygonPoint> places, Color color, int alpha) {
+        g.setColor(new Color(color.getRed(), color.getGreen(), color.getBlue(), alpha));
         g.fill(closed(places));
     }
 
@@ -105,7 +105,7 @@ final class FigureLines {
 
     /** Words with their middle at a place, moved by so many view units. */
     void words(String words, PolygonPoint at, double right, double down) {
-        Color ground = colours.ground();
+        Color ground = colors.ground();
         int wide = g.getFontMetrics().stringWidth(words);
         Plates.plate(
                 g,
@@ -113,6 +113,6 @@ final class FigureLines {
                 (int) (x(at) + right - wide / 2.0),
                 (int) (y(at) + down + g.getFontMetrics().getAscent() / 2.0),
                 new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225),
-                colours.ink());
+                colors.ink());
     }
 }

@@ -65,24 +65,24 @@ record InsidePicture(
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        var strokes = new FigureLines(g, map, colours);
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        var strokes = new FigureLines(g, map, colors);
         ClassificationField judged = field(g, map, cancelled);
-        var field = new FieldPainter(g, map, colours, judged);
+        var field = new FieldPainter(g, map, colors, judged);
         Color first = PolygonColors.OWN.of(method);
         field.paintInside(first);
-        strokes.outline(figure.corners(), colours.ink(), 1.6f);
+        strokes.outline(figure.corners(), colors.ink(), 1.6f);
         boolean exact = other.isEmpty();
         field.paintDifferences(
                 exact ? MethodColors.VERMILLION : first,
                 exact ? MethodColors.VERMILLION : PolygonColors.OWN.of(other));
-        paintPoints(g, map, colours);
-        if (step > 0 && step <= answer.steps()) paintStep(g, map, strokes, colours);
-        count(g, judged, colours);
+        paintPoints(g, map, colors);
+        if (step > 0 && step <= answer.steps()) paintStep(g, map, strokes, colors);
+        count(g, judged, colors);
     }
 
     /** Writes how many of the points in sight are wrong, in a corner without buttons. */
-    private void count(Graphics2D g, ClassificationField field, StageColors colours) {
+    private void count(Graphics2D g, ClassificationField field, StageColors colors) {
         String said =
                 texts.text(
                         other.isEmpty() ? "field.wrong" : "field.differ",
@@ -92,8 +92,8 @@ record InsidePicture(
         var words = CornerWords.of(said, g.getClipBounds(), metrics, taken);
         int base = words.place().y + metrics.getAscent();
         for (String line : words.lines()) {
-            Color plate = Plates.nearlyOpaque(colours.ground());
-            Plates.plate(g, line, words.place().x, base, plate, colours.ink());
+            Color plate = Plates.nearlyOpaque(colors.ground());
+            Plates.plate(g, line, words.place().x, base, plate, colors.ink());
             base += metrics.getHeight();
         }
     }
@@ -122,13 +122,13 @@ record InsidePicture(
         return method.equals("sign-int");
     }
 
-    private void paintPoints(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void paintPoints(Graphics2D g, PlaneMap map, StageColors colors) {
         List<PolygonPoint> points = figure.points();
         for (int i = 0; i < points.size(); i++) {
             double x = map.viewX(points.get(i).x());
             double y = map.viewY(points.get(i).y());
             if (!g.getClipBounds().contains(x, y)) continue;
-            g.setColor(colours.ink());
+            g.setColor(colors.ink());
             if (i > 0) g.fill(new Ellipse2D.Double(x - 2.5, y - 2.5, 5, 5));
             if (!answer.isWrong(i) || !isTold(i)) continue;
             PixelMark mark = answer.inside().get(i) ? PixelMark.EXTRA : PixelMark.MISSING;
@@ -141,33 +141,33 @@ record InsidePicture(
         return !answer.pointwise() || point < step;
     }
 
-    private void paintStep(Graphics2D g, PlaneMap map, FigureLines strokes, StageColors colours) {
-        if (answer.pointwise()) paintAnswer(g, map, strokes, colours);
-        else paintSide(strokes, colours);
+    private void paintStep(Graphics2D g, PlaneMap map, FigureLines strokes, StageColors colors) {
+        if (answer.pointwise()) paintAnswer(g, map, strokes, colors);
+        else paintSide(strokes, colors);
     }
 
     /** Draws a ring round the point that the step is about, with what is said of it. */
-    private void paintAnswer(Graphics2D g, PlaneMap map, FigureLines strokes, StageColors colours) {
+    private void paintAnswer(Graphics2D g, PlaneMap map, FigureLines strokes, StageColors colors) {
         PolygonPoint point = figure.points().get(step - 1);
         double x = map.viewX(point.x());
         double y = map.viewY(point.y());
         if (!g.getClipBounds().contains(x, y)) return;
-        g.setColor(colours.focus());
+        g.setColor(colors.focus());
         g.setStroke(new BasicStroke(3));
         g.draw(new Ellipse2D.Double(x - RING / 2, y - RING / 2, RING, RING));
         String said = texts.text(answer.inside().get(step - 1) ? "inside" : "outside");
         strokes.words(said, point, 0, (int) RING);
     }
 
-    private void paintSide(FigureLines strokes, StageColors colours) {
+    private void paintSide(FigureLines strokes, StageColors colors) {
         InsideAnswer.AskedSide side = answer.sides().get(step - 1);
         PolygonPoint point = figure.points().get(0);
         PolygonPoint from = figure.corners().get(side.from());
         PolygonPoint to = figure.corners().get(side.to());
         if (mode == PolygonMode.POLYGON)
-            strokes.dashed(point, new PolygonPoint(reach(point), point.y()), colours.focus());
-        if (side.from() == side.to()) strokes.dashed(point, from, colours.focus());
-        else strokes.line(from, to, colours.focus(), 4);
+            strokes.dashed(point, new PolygonPoint(reach(point), point.y()), colors.focus());
+        if (side.from() == side.to()) strokes.dashed(point, from, colors.focus());
+        else strokes.line(from, to, colors.focus(), 4);
         var middle = new PolygonPoint((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
         strokes.words(PolygonReadings.value(side.value(), texts.locale()), middle, 0, 0);
     }

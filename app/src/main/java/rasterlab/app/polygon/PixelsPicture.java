@@ -76,8 +76,8 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        BufferedImage image = image(colours);
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        BufferedImage image = image(colors);
         var frame =
                 new Rectangle2D.Double(
                         map.viewX(-0.5),
@@ -97,52 +97,50 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
                     (int) Math.round(frame.height),
                     null);
         if (map.scaleX() >= GRID) {
-            grid(g, map, colours, image);
-            edges(g, map, colours);
+            grid(g, map, colors, image);
+            edges(g, map, colors);
         }
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.drawRect(whole.x, whole.y, whole.width, whole.height);
-        var strokes = new FigureLines(g, map, colours);
+        var strokes = new FigureLines(g, map, colors);
         if (figure instanceof FillFigure fill) {
-            strokes.outline(fill.corners(), colours.ground(), 4);
-            strokes.outline(fill.corners(), colours.ink(), 1.8f);
+            strokes.outline(fill.corners(), colors.ground(), 4);
+            strokes.outline(fill.corners(), colors.ink(), 1.8f);
         }
-        if (step > 0 && step <= answer.steps()) paintStep(g, map, strokes, colours, image);
+        if (step > 0 && step <= answer.steps()) paintStep(g, map, strokes, colors, image);
         if (step > answer.steps()) paintWrong(g, map);
     }
 
     /** One pixel each; what is filled so far in the method's colour, by the figure's brush. */
-    private BufferedImage image(StageColors colours) {
+    private BufferedImage image(StageColors colors) {
         boolean fill = figure instanceof FillFigure;
         int width = fill ? ((FillFigure) figure).width() : ((SeedFigure) figure).width();
         int height = fill ? ((FillFigure) figure).height() : ((SeedFigure) figure).height();
         var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < height; y++)
-            for (int x = 0; x < width; x++) image.setRGB(x, y, before(x, y, colours).getRGB());
-        Color colour = PolygonColors.OWN.of(method);
+            for (int x = 0; x < width; x++) image.setRGB(x, y, before(x, y, colors).getRGB());
+        Color color = PolygonColors.OWN.of(method);
         BrushKind kind = fill ? ((FillFigure) figure).brush() : BrushKind.SOLID;
         Brush brush =
-                kind.brush(colour.getRGB())
-                        .over(
-                                Brush.solid(
-                                        MethodColors.mix(colours.ground(), colour, 0.12).getRGB()));
+                kind.brush(color.getRGB())
+                        .over(Brush.solid(MethodColors.mix(colors.ground(), color, 0.12).getRGB()));
         int runs = Math.min(step, answer.steps());
         for (int run = 0; run < runs; run++)
             for (int x = answer.runs().from(run); x < answer.runs().to(run); x++)
-                image.setRGB(x, answer.runs().y(run), brush.colour(x, answer.runs().y(run)));
+                image.setRGB(x, answer.runs().y(run), brush.color(x, answer.runs().y(run)));
         return image;
     }
 
-    private Color before(int x, int y, StageColors colours) {
-        if (!(figure instanceof SeedFigure seed)) return colours.ground();
+    private Color before(int x, int y, StageColors colors) {
+        if (!(figure instanceof SeedFigure seed)) return colors.ground();
         char cell = seed.rows().get(y).charAt(x);
-        if (cell == SeedFigure.FREE) return colours.ground();
+        if (cell == SeedFigure.FREE) return colors.ground();
         double share = cell == SeedFigure.WALL ? 0.75 : 0.3;
-        return MethodColors.mix(colours.ground(), colours.ink(), share);
+        return MethodColors.mix(colors.ground(), colors.ink(), share);
     }
 
-    private static void grid(Graphics2D g, PlaneMap map, StageColors colours, BufferedImage image) {
-        Color line = colours.grid();
+    private static void grid(Graphics2D g, PlaneMap map, StageColors colors, BufferedImage image) {
+        Color line = colors.grid();
         g.setColor(new Color(line.getRed(), line.getGreen(), line.getBlue(), 150));
         double left = map.viewX(-0.5);
         double top = map.viewY(-0.5);
@@ -155,8 +153,8 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
     }
 
     /** Draws an edge around each run, so that every colour is seen on the ground. */
-    private void edges(Graphics2D g, PlaneMap map, StageColors colours) {
-        g.setColor(MethodColors.edgeOn(colours.ground(), PolygonColors.OWN.of(method)));
+    private void edges(Graphics2D g, PlaneMap map, StageColors colors) {
+        g.setColor(MethodColors.edgeOn(colors.ground(), PolygonColors.OWN.of(method)));
         g.setStroke(new BasicStroke(1));
         for (int run = 0; run < Math.min(step, answer.steps()); run++) g.draw(frame(map, run));
     }
@@ -178,7 +176,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
             Graphics2D g,
             PlaneMap map,
             FigureLines strokes,
-            StageColors colours,
+            StageColors colors,
             BufferedImage image) {
         int run = step - 1;
         int y = answer.runs().y(run);
@@ -186,8 +184,8 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
             strokes.dashed(
                     new PolygonPoint(-0.5, y),
                     new PolygonPoint(image.getWidth() - 0.5, y),
-                    colours.focus());
-        g.setColor(colours.focus());
+                    colors.focus());
+        g.setColor(colors.focus());
         g.setStroke(new BasicStroke(2.5f));
         g.draw(frame(map, run));
         answer.crossings()

@@ -2,8 +2,8 @@ package rasterlab.app.polygon;
 
 import static rasterlab.app.canvas.method.MethodColors.BLUE;
 import static rasterlab.app.canvas.method.MethodColors.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GRAY;
 import static rasterlab.app.canvas.method.MethodColors.GREEN;
-import static rasterlab.app.canvas.method.MethodColors.GREY;
 import static rasterlab.app.canvas.method.MethodColors.OLIVE;
 import static rasterlab.app.canvas.method.MethodColors.ORANGE;
 import static rasterlab.app.canvas.method.MethodColors.PURPLE;
@@ -34,7 +34,7 @@ final class PolygonColors {
                             Map.entry("ray", BLUE),
                             Map.entry("winding", PURPLE),
                             Map.entry("fan", SKY_BLUE),
-                            Map.entry("shortest-diagonal-printed-textbook", GREY),
+                            Map.entry("shortest-diagonal-printed-textbook", GRAY),
                             Map.entry("shortest-diagonal-textbook", PURPLE),
                             Map.entry("shortest-diagonal", ORANGE),
                             Map.entry("ear-clipping", BLUE)));

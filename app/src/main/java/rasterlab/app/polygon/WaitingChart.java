@@ -24,7 +24,7 @@ final class WaitingChart extends SelfDrawn {
 
     private final transient Texts texts;
     private transient Runs runs = new Runs();
-    private Color colour = Color.GRAY;
+    private Color color = Color.GRAY;
     private int step;
 
     WaitingChart(Texts texts) {
@@ -38,7 +38,7 @@ final class WaitingChart extends SelfDrawn {
      */
     void show(Runs shown, String method, int present) {
         runs = shown;
-        colour = PolygonColors.OWN.of(method);
+        color = PolygonColors.OWN.of(method);
         step = Math.min(present, shown.size());
         getAccessibleContext()
                 .setAccessibleName(texts.text("waiting.most", runs.mostWaiting(), runs.size()));
@@ -57,14 +57,14 @@ final class WaitingChart extends SelfDrawn {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        StageColors colours = StageColors.now();
-        g.setColor(colours.ground());
+        StageColors colors = StageColors.now();
+        g.setColor(colors.ground());
         g.fillRect(0, 0, getWidth() - 1, getHeight() - 1);
         g.setFont(UIManager.getFont("small.font"));
         FontMetrics metrics = g.getFontMetrics();
         int top = metrics.getHeight() + 4;
-        paintCurve(g, top, colours);
-        g.setColor(colours.ink());
+        paintCurve(g, top, colors);
+        g.setColor(colors.ink());
         String most = texts.text("waiting.most", runs.mostWaiting(), runs.size());
         g.drawString(most, 6, metrics.getAscent() + 3);
         g.setColor(UIManager.getColor("Component.borderColor"));
@@ -72,7 +72,7 @@ final class WaitingChart extends SelfDrawn {
         g.dispose();
     }
 
-    private void paintCurve(Graphics2D g, int top, StageColors colours) {
+    private void paintCurve(Graphics2D g, int top, StageColors colors) {
         if (runs.size() == 0) return;
         double height = getHeight() - top - 5;
         double most = Math.max(1, runs.mostWaiting());
@@ -90,13 +90,13 @@ final class WaitingChart extends SelfDrawn {
             curve.lineTo(2 + column, bottom - height * waiting / most);
         }
         curve.lineTo(1 + wide, bottom);
-        g.setColor(MethodColors.mix(colours.ground(), colour, 0.35));
+        g.setColor(MethodColors.mix(colors.ground(), color, 0.35));
         g.fill(curve);
-        g.setColor(MethodColors.edgeOn(colours.ground(), colour));
+        g.setColor(MethodColors.edgeOn(colors.ground(), color));
         g.setStroke(new BasicStroke(1.4f));
         g.draw(curve);
         double x = 1 + (double) wide * step / runs.size();
-        g.setColor(colours.focus());
+        g.setColor(colors.focus());
         g.setStroke(new BasicStroke(2));
         g.draw(new Line2D.Double(x, top, x, bottom));
     }

@@ -29,13 +29,13 @@ final class BoardPainter {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColors colours;
+    private final StageColors colors;
     private final Texts texts;
 
-    BoardPainter(Graphics2D g, PlaneMap map, StageColors colours, Texts texts) {
+    BoardPainter(Graphics2D g, PlaneMap map, StageColors colors, Texts texts) {
         this.g = g;
         this.map = map;
-        this.colours = colours;
+        this.colors = colors;
         this.texts = texts;
     }
 
@@ -46,10 +46,10 @@ final class BoardPainter {
             else if (figure instanceof Dot dot) paint(dot);
     }
 
-    private Color colour(Look look) {
+    private Color color(Look look) {
         return switch (look) {
-            case GIVEN -> colours.ink();
-            case WALL -> colours.axis();
+            case GIVEN -> colors.ink();
+            case WALL -> colors.axis();
             case DONE -> MethodColors.SKY_BLUE;
             case NEWEST -> MethodColors.ORANGE;
             case ASKED -> MethodColors.BLUE;
@@ -66,18 +66,18 @@ final class BoardPainter {
 
     private void paint(Cell cell) {
         Rectangle2D square = square(cell.x(), cell.y());
-        Color colour = colour(cell.look());
+        Color color = color(cell.look());
         if (cell.look() != Look.WRONG) {
-            g.setColor(colour);
+            g.setColor(color);
             g.fill(square);
         }
-        g.setColor(MethodColors.edgeOn(colours.ground(), colour));
+        g.setColor(MethodColors.edgeOn(colors.ground(), color));
         g.setStroke(new BasicStroke(THIN));
         g.draw(square);
         if (cell.look() == Look.WRONG) cross(square);
         if (cell.look() == Look.NEWEST) {
             double size = map.scaleX() / 4;
-            g.setColor(MethodColors.inkOn(colour));
+            g.setColor(MethodColors.inkOn(color));
             g.fill(
                     new Ellipse2D.Double(
                             square.getCenterX() - size / 2,
@@ -88,7 +88,7 @@ final class BoardPainter {
     }
 
     private void cross(Rectangle2D in) {
-        g.setColor(MethodColors.lineOn(colours.ground(), MethodColors.VERMILLION));
+        g.setColor(MethodColors.lineOn(colors.ground(), MethodColors.VERMILLION));
         g.setStroke(new BasicStroke(THICK));
         double pad = in.getWidth() / 5;
         double left = in.getMinX() + pad;
@@ -104,7 +104,7 @@ final class BoardPainter {
             if (shape.getCurrentPoint() == null) shape.moveTo(viewX(point), viewY(point));
             else shape.lineTo(viewX(point), viewY(point));
         if (path.closed()) shape.closePath();
-        g.setColor(MethodColors.lineOn(colours.ground(), colour(path.look())));
+        g.setColor(MethodColors.lineOn(colors.ground(), color(path.look())));
         g.setStroke(stroke(path.look()));
         g.draw(shape);
     }
@@ -138,7 +138,7 @@ final class BoardPainter {
                             large,
                             large));
         } else {
-            g.setColor(MethodColors.lineOn(colours.ground(), colour(dot.look())));
+            g.setColor(MethodColors.lineOn(colors.ground(), color(dot.look())));
             g.fill(new Ellipse2D.Double(box.getX(), box.getY(), size, size));
         }
         if (!dot.label().isEmpty()) label(dot, size);
@@ -149,14 +149,14 @@ final class BoardPainter {
         FontMetrics metrics = g.getFontMetrics();
         float x = (float) (viewX(dot.at()) + size);
         float y = (float) (viewY(dot.at()) - size / 2);
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.fill(
                 new Rectangle2D.Double(
                         x - 1,
                         y - metrics.getAscent(),
                         metrics.stringWidth(words) + 2,
                         metrics.getAscent() + metrics.getDescent()));
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.drawString(words, x, y);
     }
 

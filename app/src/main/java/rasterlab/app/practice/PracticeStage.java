@@ -193,26 +193,26 @@ final class PracticeStage extends SelfDrawn {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
-        StageColors colours = StageColors.now();
+        StageColors colors = StageColors.now();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.fillRect(0, 0, getWidth(), getHeight());
-        if (board.isPresent()) paint(g, frame(), board.get(), colours);
+        if (board.isPresent()) paint(g, frame(), board.get(), colors);
         frameFocus(g);
         g.dispose();
     }
 
-    private void paint(Graphics2D g, BoardFrame frame, Board shown, StageColors colours) {
+    private void paint(Graphics2D g, BoardFrame frame, Board shown, StageColors colors) {
         Font type = PictureType.in(getSize());
         frame.paintGrid(g, type, texts.locale());
         g.setFont(type);
-        var painter = new BoardPainter(g, frame.map(), colours, texts);
+        var painter = new BoardPainter(g, frame.map(), colors, texts);
         painter.paint(shown);
         if (asking && takesKeys()) {
-            g.setColor(colours.focus());
+            g.setColor(colors.focus());
             g.setStroke(new BasicStroke(3));
             Point from = begun.orElse(cursor);
             g.draw(painter.square(from.x, from.y).createUnion(painter.square(cursor.x, cursor.y)));

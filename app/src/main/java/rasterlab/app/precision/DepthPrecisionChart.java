@@ -119,7 +119,7 @@ public final class DepthPrecisionChart {
                         inside.stream().mapToDouble(Sample::predicted).toArray());
         series.setShowInLegend(false);
         series.setMarker(SeriesMarkers.NONE);
-        series.setLineColor(look.colour());
+        series.setLineColor(look.color());
         series.setLineStyle(new BasicStroke(format.equals(WIDE) ? 6f : 2f));
     }
 
@@ -137,7 +137,7 @@ public final class DepthPrecisionChart {
                         marked.stream().mapToDouble(Sample::ratio).toArray(),
                         marked.stream().mapToDouble(Sample::measured).toArray());
         series.setMarker(look.marker());
-        series.setMarkerColor(look.colour());
+        series.setMarkerColor(look.color());
         series.setLineStyle(SeriesLines.NONE);
     }
 

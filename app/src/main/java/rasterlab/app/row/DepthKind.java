@@ -17,7 +17,7 @@ import rasterlab.engine.visibility.depth.StoredDepths;
  * shown.
  */
 final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {
-    private static final int[] COLOURS = {
+    private static final int[] COLORS = {
         0xFFE69F00, 0xFF56B4E9, 0xFF009E73, 0xFFCC79A7, 0xFF0072B2, 0xFFF0E442
     };
 
@@ -50,7 +50,7 @@ final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {
         return new RowScene.Band(
                 key,
                 IntStream.range(0, rows.pixels())
-                        .map(pixel -> COLOURS[surface.applyAsInt(pixel) % COLOURS.length])
+                        .map(pixel -> COLORS[surface.applyAsInt(pixel) % COLORS.length])
                         .toArray(),
                 pixel -> String.valueOf(surface.applyAsInt(pixel) + 1));
     }

@@ -12,7 +12,7 @@ import rasterlab.engine.visibility.triangle.DepthTriangles;
 final class DepthTriangleKind
         extends RowKind<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> {
     private static final int BACKGROUND = 0xFF7F7F7F;
-    private static final int[] COLOURS = {0xFFE69F00, 0xFF56B4E9, 0xFF009E73, 0xFFCC79A7};
+    private static final int[] COLORS = {0xFFE69F00, 0xFF56B4E9, 0xFF009E73, 0xFFCC79A7};
 
     /** The share of the depth range beyond which the topic calls a depth wrong. */
     private static final double USABLE = 1.0 / (1 << 16);
@@ -48,12 +48,12 @@ final class DepthTriangleKind
     private static RowScene.Band band(String key, DepthTriangles.Shown picture) {
         return new RowScene.Band(
                 key,
-                IntStream.of(picture.shown()).map(DepthTriangleKind::colour).toArray(),
+                IntStream.of(picture.shown()).map(DepthTriangleKind::color).toArray(),
                 pixel -> picture.shown()[pixel] == 0 ? "" : "" + picture.shown()[pixel]);
     }
 
-    private static int colour(int triangle) {
-        return triangle == 0 ? BACKGROUND : COLOURS[(triangle - 1) % COLOURS.length];
+    private static int color(int triangle) {
+        return triangle == 0 ? BACKGROUND : COLORS[(triangle - 1) % COLORS.length];
     }
 
     @Override

@@ -44,7 +44,7 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
                     out.name("picture");
                     out.startArray();
                     for (int row = pixels.height() - 1; row >= 0; row--)
-                        out.wholes(greys(pixels, row));
+                        out.wholes(grays(pixels, row));
                     out.endArray();
                     out.points(
                             "pixels",
@@ -53,7 +53,7 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
                 });
     }
 
-    private static int[] greys(FilteredPixels pixels, int row) {
+    private static int[] grays(FilteredPixels pixels, int row) {
         return Arrays.stream(pixels.argb(), row * pixels.width(), (row + 1) * pixels.width())
                 .map(argb -> argb & 255)
                 .toArray();

@@ -111,7 +111,7 @@ final class FootprintPainter {
         part.setColor(Color.WHITE);
         part.setStroke(new BasicStroke(5));
         part.draw(outline);
-        part.setColor(PixelMark.COLOUR);
+        part.setColor(PixelMark.COLOR);
         part.setStroke(new BasicStroke(2));
         part.draw(outline);
     }

@@ -21,7 +21,7 @@ final class MappingKind extends RowKind<TextureMapper, TexturedSpan, Images> {
     /** Texels beyond which the topic calls coordinates wrong. */
     private static final double USABLE = 0.5;
 
-    private static final int[] COLOURS = {0xFFFFFFFF, 0xFF0072B2, 0xFFE69F00, 0xFF1B1F24};
+    private static final int[] COLORS = {0xFFFFFFFF, 0xFF0072B2, 0xFFE69F00, 0xFF1B1F24};
 
     private final TextureSampler board = new TextureSampler(board(), Wrap.REPEAT, Wrap.REPEAT);
 
@@ -38,7 +38,7 @@ final class MappingKind extends RowKind<TextureMapper, TexturedSpan, Images> {
         int[] argb =
                 IntStream.range(0, TEXELS * TEXELS)
                         .map(i -> i % TEXELS / FIELD % 2 + 2 * (i / TEXELS / FIELD % 2))
-                        .map(field -> COLOURS[field])
+                        .map(field -> COLORS[field])
                         .toArray();
         return Texture.of(TEXELS, TEXELS, 3, argb);
     }

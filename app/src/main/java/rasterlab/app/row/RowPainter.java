@@ -34,7 +34,7 @@ final class RowPainter {
     private final Texts texts;
     private final RowChoice choice;
     private final RowScene scene;
-    private final StageColors colours = StageColors.now();
+    private final StageColors colors = StageColors.now();
     private final FontMetrics metrics;
     private final RowPlan plan;
     private final double wide;
@@ -106,7 +106,7 @@ final class RowPainter {
 
     private int say(String words, int left, int width, int y) {
         int below = y;
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         for (String line : Wrapping.lines(words, width, metrics::stringWidth)) {
             g.drawString(line, left, below + metrics.getAscent());
             below += metrics.getHeight();
@@ -131,7 +131,7 @@ final class RowPainter {
                 RenderingHints.KEY_INTERPOLATION,
                 RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
         g.drawImage(row, MARGIN, y, (int) wide, high, null);
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.setStroke(new BasicStroke(1));
         g.drawRect(MARGIN, y, (int) wide, high);
     }
@@ -158,10 +158,10 @@ final class RowPainter {
         double from = x(choice.pixel());
         double width = Math.max(3, wide / scene.pixels());
         var frame = new Rectangle2D.Double(from, y, width, high);
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.setStroke(new BasicStroke(4));
         g.draw(frame);
-        g.setColor(colours.focus());
+        g.setColor(colors.focus());
         g.setStroke(new BasicStroke(2));
         g.draw(frame);
     }
@@ -176,7 +176,7 @@ final class RowPainter {
                 continue;
             }
             while (i + 1 < scene.pixels() && scene.wrong()[i + 1]) i++;
-            g.setColor(PixelMark.COLOUR);
+            g.setColor(PixelMark.COLOR);
             g.fill(new Rectangle2D.Double(x(from), y + 3, Math.max(1, x(i + 1) - x(from)), 6));
         }
     }
@@ -216,9 +216,9 @@ final class RowPainter {
     private void errors(int top, int high) {
         double worst = worst();
         int y = say(errorWords(), top);
-        g.setColor(colours.margin());
+        g.setColor(colors.margin());
         g.fillRect(MARGIN, y, (int) wide, high);
-        g.setColor(MethodColors.edgeOn(colours.margin(), RowColors.OWN.of(choice.method())));
+        g.setColor(MethodColors.edgeOn(colors.margin(), RowColors.OWN.of(choice.method())));
         var area = new Path2D.Double();
         area.moveTo(MARGIN, y + high);
         for (int i = 0; i < scene.pixels(); i++) {
@@ -228,7 +228,7 @@ final class RowPainter {
         }
         area.lineTo(MARGIN + wide, y + high);
         g.fill(area);
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.drawLine(MARGIN, y + high, MARGIN + (int) wide, y + high);
     }
 

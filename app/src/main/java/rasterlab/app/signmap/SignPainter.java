@@ -31,7 +31,7 @@ final class SignPainter {
         boolean paper = look.ground().equals(Color.WHITE);
         plus = MethodColors.mix(look.ground(), MethodColors.BLUE, paper ? PLUS : PLUS_ON_DARK);
         zero = MethodColors.mix(look.ground(), MethodColors.YELLOW, ZERO);
-        minus = MethodColors.mix(look.ground(), MethodColors.GREY, MINUS);
+        minus = MethodColors.mix(look.ground(), MethodColors.GRAY, MINUS);
     }
 
     /** The meaning of a dot of the picture. */
@@ -53,15 +53,15 @@ final class SignPainter {
         for (int y = 0; y < size; y++)
             for (int x = 0; x < size; x++) {
                 int row = map.size() - 1 - y / dots;
-                image.setRGB(x, y, colour(map, x / dots, row, x, y).getRGB());
+                image.setRGB(x, y, color(map, x / dots, row, x, y).getRGB());
             }
         return image;
     }
 
-    private Color colour(SignMap map, int column, int row, int x, int y) {
+    private Color color(SignMap map, int column, int row, int x, int y) {
         int answer = map.answer(column, row);
-        if (answer == SignMap.NONE) return colour(Dot.NONE, x, y);
-        Color own = colour(dot(map, answer), x, y);
+        if (answer == SignMap.NONE) return color(Dot.NONE, x, y);
+        Color own = color(dot(map, answer), x, y);
         if (!map.wrong(column, row)) return own;
         Dot wrong = answer > map.exact(column, row) ? Dot.EXTRA : Dot.MISSING;
         return striped(wrong, x, y) ? MethodColors.VERMILLION : own;
@@ -73,7 +73,7 @@ final class SignPainter {
     }
 
     /** The colour of a dot at that place of a picture. */
-    Color colour(Dot dot, int x, int y) {
+    Color color(Dot dot, int x, int y) {
         return switch (dot) {
             case PLUS -> plus;
             case ZERO -> zero;

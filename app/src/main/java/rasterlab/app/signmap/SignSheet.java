@@ -168,7 +168,7 @@ public final class SignSheet {
         var image = new BufferedImage(2 * SWATCH, SWATCH, BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < SWATCH; y++)
             for (int x = 0; x < 2 * SWATCH; x++)
-                image.setRGB(x, y, painter.colour(dot, x, y).getRGB());
+                image.setRGB(x, y, painter.color(dot, x, y).getRGB());
         return image;
     }
 

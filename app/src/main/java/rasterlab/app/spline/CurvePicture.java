@@ -57,19 +57,19 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
         CurveOverlays overlays = drawings.choice().overlays();
-        if (overlays.hull()) paintHull(g, map, colours);
-        paintPolygon(g, map, colours);
-        if (overlays.comb()) paintComb(g, map, colours);
+        if (overlays.hull()) paintHull(g, map, colors);
+        paintPolygon(g, map, colors);
+        if (overlays.comb()) paintComb(g, map, colors);
         requireUse(cancelled);
-        drawings.other().ifPresent(other -> paintOther(g, map, colours, other));
-        paintPolyline(g, map, colours, drawings.drawing());
+        drawings.other().ifPresent(other -> paintOther(g, map, colors, other));
+        paintPolyline(g, map, colors, drawings.drawing());
         requireUse(cancelled);
-        paintExact(g, map, colours);
-        if (overlays.construction()) paintConstruction(g, map, colours);
-        paintPoint(g, map, colours);
-        paintJoints(g, map, colours);
+        paintExact(g, map, colors);
+        if (overlays.construction()) paintConstruction(g, map, colors);
+        paintPoint(g, map, colors);
+        paintJoints(g, map, colors);
     }
 
     @Override
@@ -84,21 +84,21 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
     }
 
     /** Paints the hull around the Bézier points of the span that t lies in. */
-    private void paintHull(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void paintHull(Graphics2D g, PlaneMap map, StageColors colors) {
         PointStep points = at.construction().get(0);
         var hull = new Path2D.Double();
         for (int corner : ControlHull.of(points.x(), points.y()))
             to(hull, map.viewX(points.x()[corner]), map.viewY(points.y()[corner]));
         hull.closePath();
-        g.setColor(faded(colours.axis(), 45));
+        g.setColor(faded(colors.axis(), 45));
         g.fill(hull);
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.setStroke(THIN);
         g.draw(hull);
     }
 
-    private void paintPolygon(Graphics2D g, PlaneMap map, StageColors colours) {
-        g.setColor(colours.axis());
+    private void paintPolygon(Graphics2D g, PlaneMap map, StageColors colors) {
+        g.setColor(colors.axis());
         g.setStroke(DASHED);
         Path2D polygon = polygon(map);
         if (polygon.getCurrentPoint() != null) g.draw(polygon);
@@ -118,8 +118,8 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         return polygon;
     }
 
-    private void paintComb(Graphics2D g, PlaneMap map, StageColors colours) {
-        Color colour = MethodColors.edgeOn(colours.ground(), MethodColors.PURPLE);
+    private void paintComb(Graphics2D g, PlaneMap map, StageColors colors) {
+        Color color = MethodColors.edgeOn(colors.ground(), MethodColors.PURPLE);
         var teeth = new Path2D.Double();
         var edge = new Path2D.Double();
         for (CurvatureComb.Tooth tooth : drawings.comb().teeth()) {
@@ -131,33 +131,33 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
             else to(edge, outX, outY);
         }
         g.setStroke(THIN);
-        g.setColor(faded(colour, 110));
+        g.setColor(faded(color, 110));
         g.draw(teeth);
-        g.setColor(colour);
+        g.setColor(color);
         g.draw(edge);
     }
 
     /** Paints it pale as a whole, in full colour as far as the steps have come. */
     private void paintPolyline(
-            Graphics2D g, PlaneMap map, StageColors colours, CurveDrawing drawing) {
+            Graphics2D g, PlaneMap map, StageColors colors, CurveDrawing drawing) {
         List<CurveDrawing.Corner> corners = drawing.points();
-        Color colour = SplineColors.OWN.of(drawing.method());
+        Color color = SplineColors.OWN.of(drawing.method());
         g.setStroke(THICK);
-        g.setColor(MethodColors.mix(colour, colours.ground(), 0.55));
+        g.setColor(MethodColors.mix(color, colors.ground(), 0.55));
         g.draw(path(corners, map));
-        g.setColor(colour);
+        g.setColor(color);
         g.draw(path(corners.subList(0, Math.min(step + 1, corners.size())), map));
         if (corners.size() > MOST_CORNERS) return;
         for (int i = 0; i < corners.size(); i++) {
-            Color fill = i <= step ? colour : MethodColors.mix(colour, colours.ground(), 0.55);
-            dot(g, map, corners.get(i).x(), corners.get(i).y(), 4, fill, colours);
+            Color fill = i <= step ? color : MethodColors.mix(color, colors.ground(), 0.55);
+            dot(g, map, corners.get(i).x(), corners.get(i).y(), 4, fill, colors);
         }
     }
 
-    private void paintOther(Graphics2D g, PlaneMap map, StageColors colours, CurveDrawing drawing) {
-        Color colour = MethodColors.edgeOn(colours.ground(), SplineColors.OWN.of(drawing.method()));
+    private void paintOther(Graphics2D g, PlaneMap map, StageColors colors, CurveDrawing drawing) {
+        Color color = MethodColors.edgeOn(colors.ground(), SplineColors.OWN.of(drawing.method()));
         g.setStroke(stroke(2.5f));
-        g.setColor(colour);
+        g.setColor(color);
         g.draw(path(drawing.points(), map));
         if (drawing.points().size() > MOST_SQUARES) return;
         for (CurveDrawing.Corner corner : drawing.points()) {
@@ -169,8 +169,8 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         }
     }
 
-    private void paintExact(Graphics2D g, PlaneMap map, StageColors colours) {
-        g.setColor(colours.ink());
+    private void paintExact(Graphics2D g, PlaneMap map, StageColors colors) {
+        g.setColor(colors.ink());
         g.setStroke(EXACT);
         for (Polyline curve : drawings.exact()) {
             Path2D path = path(curve, map);
@@ -186,14 +186,14 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
     }
 
     /** Paints De Casteljau's triangle, each row darker than the one above. */
-    private void paintConstruction(Graphics2D g, PlaneMap map, StageColors colours) {
-        Color colour = MethodColors.edgeOn(colours.ground(), MethodColors.GREEN);
+    private void paintConstruction(Graphics2D g, PlaneMap map, StageColors colors) {
+        Color color = MethodColors.edgeOn(colors.ground(), MethodColors.GREEN);
         List<PointStep> rows = at.construction();
         for (int row = 0; row < rows.size() - 1; row++) {
             PointStep points = rows.get(row);
             double share =
                     rows.size() <= 2 ? 0 : 0.45 * (rows.size() - 2 - row) / (rows.size() - 2);
-            Color shade = MethodColors.mix(colour, colours.ground(), share);
+            Color shade = MethodColors.mix(color, colors.ground(), share);
             var path = new Path2D.Double();
             for (int i = 0; i < points.x().length; i++)
                 to(path, map.viewX(points.x()[i]), map.viewY(points.y()[i]));
@@ -202,18 +202,18 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
             g.draw(path);
             if (row > 0 && rows.size() <= 12)
                 for (int i = 0; i < points.x().length; i++)
-                    dot(g, map, points.x()[i], points.y()[i], 3.5, shade, colours);
+                    dot(g, map, points.x()[i], points.y()[i], 3.5, shade, colors);
         }
     }
 
-    private void paintPoint(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void paintPoint(Graphics2D g, PlaneMap map, StageColors colors) {
         double x = at.place().x();
         double y = at.place().y();
-        dot(g, map, x, y, 6, MethodColors.VERMILLION, colours);
+        dot(g, map, x, y, 6, MethodColors.VERMILLION, colors);
     }
 
     /** Draws beside the joints what they are. */
-    private void paintJoints(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void paintJoints(Graphics2D g, PlaneMap map, StageColors colors) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         FontMetrics metrics = g.getFontMetrics();
         for (Joint joint : drawings.joints()) {
@@ -226,9 +226,9 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
                     kind,
                     (int) Math.round(x) - metrics.stringWidth(kind) / 2,
                     (int) Math.round(y) + metrics.getAscent() + 16,
-                    colours.margin(),
-                    colours.ink());
-            dot(g, map, joint.x(), joint.y(), 4, colours.ground(), colours);
+                    colors.margin(),
+                    colors.ink());
+            dot(g, map, joint.x(), joint.y(), 4, colors.ground(), colors);
         }
     }
 
@@ -259,18 +259,18 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
             double y,
             double radius,
             Color fill,
-            StageColors colours) {
+            StageColors colors) {
         double left = map.viewX(x) - radius;
         double top = map.viewY(y) - radius;
         Shape dot = new Ellipse2D.Double(left, top, 2 * radius, 2 * radius);
         g.setColor(fill);
         g.fill(dot);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.setStroke(THIN);
         g.draw(dot);
     }
 
-    private static Color faded(Color colour, int alpha) {
-        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
+    private static Color faded(Color color, int alpha) {
+        return new Color(color.getRed(), color.getGreen(), color.getBlue(), alpha);
     }
 }

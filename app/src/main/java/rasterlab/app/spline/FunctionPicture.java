@@ -59,17 +59,17 @@ record FunctionPicture(
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        paintKnotColumns(g, map, colours);
-        paintStep(g, map, colours);
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        paintKnotColumns(g, map, colors);
+        paintStep(g, map, colors);
         paintOvershoots(g, map, drawings.drawing());
         if (cancelled.getAsBoolean()) throw new CancellationException("a newer frame is asked for");
-        drawings.other().ifPresent(other -> paintGraph(g, map, colours, other, 2.5f));
-        paintGraph(g, map, colours, drawings.drawing(), 3.5f);
-        paintSlopes(g, map, colours);
-        paintAnswers(g, map, colours);
-        at.ifPresent(place -> paintReading(g, map, colours, place));
-        nameOvershoots(g, map, colours, drawings.drawing());
+        drawings.other().ifPresent(other -> paintGraph(g, map, colors, other, 2.5f));
+        paintGraph(g, map, colors, drawings.drawing(), 3.5f);
+        paintSlopes(g, map, colors);
+        paintAnswers(g, map, colors);
+        at.ifPresent(place -> paintReading(g, map, colors, place));
+        nameOvershoots(g, map, colors, drawings.drawing());
     }
 
     @Override
@@ -79,8 +79,8 @@ record FunctionPicture(
         return lines;
     }
 
-    private void paintKnotColumns(Graphics2D g, PlaneMap map, StageColors colours) {
-        g.setColor(colours.axis());
+    private void paintKnotColumns(Graphics2D g, PlaneMap map, StageColors colors) {
+        g.setColor(colors.axis());
         g.setStroke(dashed());
         for (Place knot : drawings.choice().knots()) {
             double x = map.viewX(knot.x());
@@ -94,7 +94,7 @@ record FunctionPicture(
     }
 
     /** Paints a band behind the knot or the piece that the last step dealt with. */
-    private void paintStep(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void paintStep(Graphics2D g, PlaneMap map, StageColors colors) {
         List<Place> knots = drawings.choice().knots();
         if (taken.isEmpty()) return;
         FunctionDrawing.Step step = taken.get();
@@ -104,17 +104,17 @@ record FunctionPicture(
         double left = map.viewX(knots.get(from).x());
         double right = map.viewX(knots.get(to).x());
         double more = step.knot() < 0 ? 0 : 9;
-        Color focus = colours.focus();
+        Color focus = colors.focus();
         g.setColor(new Color(focus.getRed(), focus.getGreen(), focus.getBlue(), 45));
         if (right - left < 1e5)
             g.fill(new Rectangle2D.Double(left - more, 0, right - left + 2 * more, 10_000));
     }
 
     private static void paintGraph(
-            Graphics2D g, PlaneMap map, StageColors colours, FunctionDrawing drawing, float width) {
+            Graphics2D g, PlaneMap map, StageColors colors, FunctionDrawing drawing, float width) {
         Path2D path = path(map, drawing);
         if (path.getCurrentPoint() == null) return;
-        g.setColor(MethodColors.edgeOn(colours.ground(), SplineColors.OWN.of(drawing.method())));
+        g.setColor(MethodColors.edgeOn(colors.ground(), SplineColors.OWN.of(drawing.method())));
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(path);
     }
@@ -148,9 +148,9 @@ record FunctionPicture(
 
     /** Draws a pointer at the farthest place outside, with how far that is. */
     private void nameOvershoots(
-            Graphics2D g, PlaneMap map, StageColors colours, FunctionDrawing drawing) {
+            Graphics2D g, PlaneMap map, StageColors colors, FunctionDrawing drawing) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
-        var plates = new PointedPlates(g, colours, labels);
+        var plates = new PointedPlates(g, colors, labels);
         for (Overshoot each : drawing.overshoots()) {
             boolean above = each.y() > each.beyond();
             double x = map.viewX(each.x());
@@ -180,13 +180,13 @@ record FunctionPicture(
         private static final int APART = 5;
 
         private final Graphics2D g;
-        private final StageColors colours;
+        private final StageColors colors;
         private final FontMetrics metrics;
         private final List<Rectangle> taken;
 
-        PointedPlates(Graphics2D g, StageColors colours, List<Rectangle> labels) {
+        PointedPlates(Graphics2D g, StageColors colors, List<Rectangle> labels) {
             this.g = g;
-            this.colours = colours;
+            this.colors = colors;
             metrics = g.getFontMetrics();
             taken = new ArrayList<>(labels);
         }
@@ -205,12 +205,12 @@ record FunctionPicture(
                             metrics.getHeight());
             if (taken.stream().anyMatch(place::intersects)) return;
             taken.add(place);
-            Plates.plate(g, words, left, base, colours.ground(), colours.ink());
+            Plates.plate(g, words, left, base, colors.ground(), colors.ink());
         }
     }
 
-    private void paintSlopes(Graphics2D g, PlaneMap map, StageColors colours) {
-        g.setColor(colours.ink());
+    private void paintSlopes(Graphics2D g, PlaneMap map, StageColors colors) {
+        g.setColor(colors.ink());
         g.setStroke(new BasicStroke(1.6f));
         for (int i = 0; i + 1 < slopes.size(); i += 2)
             g.draw(
@@ -224,7 +224,7 @@ record FunctionPicture(
     /**
      * Paints a cross at each wrong answer; at the newest answer a dot, and a ring where it belongs.
      */
-    private void paintAnswers(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void paintAnswers(Graphics2D g, PlaneMap map, StageColors colors) {
         for (FunctionDrawing.Answer each : answers)
             if (each.wrong()) mark(g, map, PixelMark.EXTRA, each.x(), each.value());
         if (answers.isEmpty()) return;
@@ -235,7 +235,7 @@ record FunctionPicture(
         }
         double x = map.viewX(newest.x());
         double y = map.viewY(newest.value());
-        g.setColor(colours.focus());
+        g.setColor(colors.focus());
         g.fill(new Ellipse2D.Double(x - DOT / 2, y - DOT / 2, DOT, DOT));
     }
 
@@ -246,7 +246,7 @@ record FunctionPicture(
 
     /** Paints the point at which the function is read, and its tangent. */
     private static void paintReading(
-            Graphics2D g, PlaneMap map, StageColors colours, FunctionAt place) {
+            Graphics2D g, PlaneMap map, StageColors colors, FunctionAt place) {
         double x = map.viewX(place.x());
         double y = map.viewY(place.y());
         double run = map.scaleX();
@@ -254,13 +254,13 @@ record FunctionPicture(
         double length = Math.hypot(run, rise);
         double dx = 70 * run / length;
         double dy = 70 * rise / length;
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.setStroke(new BasicStroke(1.4f));
         g.draw(new Line2D.Double(x - dx, y - dy, x + dx, y + dy));
         var dot = new Ellipse2D.Double(x - 5.5, y - 5.5, 11, 11);
         g.setColor(MethodColors.VERMILLION);
         g.fill(dot);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.draw(dot);
     }
 

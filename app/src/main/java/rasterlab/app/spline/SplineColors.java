@@ -1,8 +1,8 @@
 package rasterlab.app.spline;
 
 import static rasterlab.app.canvas.method.MethodColors.BLUE;
+import static rasterlab.app.canvas.method.MethodColors.GRAY;
 import static rasterlab.app.canvas.method.MethodColors.GREEN;
-import static rasterlab.app.canvas.method.MethodColors.GREY;
 import static rasterlab.app.canvas.method.MethodColors.OLIVE;
 import static rasterlab.app.canvas.method.MethodColors.ORANGE;
 import static rasterlab.app.canvas.method.MethodColors.PURPLE;
@@ -25,7 +25,7 @@ final class SplineColors {
                             Map.entry("horner", YELLOW),
                             Map.entry("de-casteljau", GREEN),
                             Map.entry("forward-differences", OLIVE),
-                            Map.entry("forward-differences-float", GREY),
+                            Map.entry("forward-differences-float", GRAY),
                             Map.entry("uniform", WINE),
                             Map.entry("adaptive-naive", ORANGE),
                             Map.entry("adaptive", BLUE),

@@ -53,7 +53,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
      * @param dots of the picture for each unit
      */
     private record Asked(
-            Study study, String level, int width, int height, double dots, StageColors colours) {}
+            Study study, String level, int width, int height, double dots, StageColors colors) {}
 
     private record Painted(Asked asked, BufferedImage image, List<FrontChart.Spot> spots) {}
 
@@ -180,13 +180,13 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     private Painted painted(Asked question) {
-        var colours = question.colours();
+        var colors = question.colors();
         var chart =
                 new FrontChart(
                         question.study(),
                         question.level(),
                         new StudyWords(texts.language()),
-                        ChartLook.on(colours));
+                        ChartLook.on(colors));
         var image =
                 new BufferedImage(
                         (int) Math.round(question.width() * question.dots()),
@@ -194,7 +194,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                         BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.scale(question.dots(), question.dots());
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.fillRect(0, 0, question.width() + 1, question.height() + 1);
         chart.paint(g, question.width(), question.height());
         g.dispose();

@@ -9,16 +9,16 @@ enum VerdictSign {
     EXACT("✓", MethodColors.GREEN),
     DEGRADED("≈", MethodColors.ORANGE),
     WRONG("✗", MethodColors.VERMILLION),
-    REFUSED("⊘", MethodColors.GREY),
+    REFUSED("⊘", MethodColors.GRAY),
     ENDLESS("∞", MethodColors.PURPLE),
     CRASHED("†", MethodColors.PURPLE);
 
     private final String sign;
-    private final Color colour;
+    private final Color color;
 
-    VerdictSign(String sign, Color colour) {
+    VerdictSign(String sign, Color color) {
         this.sign = sign;
-        this.colour = colour;
+        this.color = color;
     }
 
     static VerdictSign of(Verdict.Kind kind) {
@@ -30,6 +30,6 @@ enum VerdictSign {
     }
 
     Color ink(Color ground) {
-        return MethodColors.textOn(ground, colour);
+        return MethodColors.textOn(ground, color);
     }
 }

@@ -23,10 +23,10 @@ import rasterlab.app.visibility.scene.StageView;
  */
 final class ChartStudies implements AutoCloseable {
     /** A chart in a language and size, on a stage in those colours. */
-    record Question(StageView view, Language language, StageColors colours, ChartSize size) {
+    record Question(StageView view, Language language, StageColors colors, ChartSize size) {
         /** Whether a chart of the one serves for the other until that is made. */
         boolean isLike(Question other) {
-            return other.equals(new Question(view, language, colours, other.size));
+            return other.equals(new Question(view, language, colors, other.size));
         }
     }
 
@@ -92,7 +92,7 @@ final class ChartStudies implements AutoCloseable {
     }
 
     private Chart made(Question question, BooleanSupplier cancelled) {
-        var paper = ChartLook.on(question.colours());
+        var paper = ChartLook.on(question.colors());
         Language language = question.language();
         if (question.view() == StageView.PRECISION)
             return new Chart(

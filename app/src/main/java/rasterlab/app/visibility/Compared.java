@@ -30,7 +30,7 @@ public record Compared(
         MISSING,
         EXTRA,
         /** One face instead of another. */
-        COLOUR
+        COLOR
     }
 
     /**
@@ -47,7 +47,7 @@ public record Compared(
             switch (wrong(exact.argb()[i], actual.argb()[i], background)) {
                 case MISSING -> missing++;
                 case EXTRA -> extra++;
-                case NOTHING, COLOUR -> {}
+                case NOTHING, COLOR -> {}
             }
         return new Compared(
                 request, PictureDifference.of(exact, actual), exact, actual, missing, extra);
@@ -60,7 +60,7 @@ public record Compared(
     private static Wrong wrong(int want, int have, int background) {
         if (want == have) return Wrong.NOTHING;
         if (have == background) return Wrong.MISSING;
-        return want == background ? Wrong.EXTRA : Wrong.COLOUR;
+        return want == background ? Wrong.EXTRA : Wrong.COLOR;
     }
 
     Wrong at(int x, int y) {
@@ -73,7 +73,7 @@ public record Compared(
     }
 
     /** Pixels that show another face than they should. */
-    long miscoloured() {
+    long miscolored() {
         return wrongPixels() - missing - extra;
     }
 

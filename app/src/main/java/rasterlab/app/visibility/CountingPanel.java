@@ -30,12 +30,12 @@ final class CountingPanel extends JPanel {
         add(said);
         add(bar, "wmin 220");
         add(cancel, "growx 0");
-        refresh(StageView.COLOURS);
+        refresh(StageView.COLORS);
     }
 
     private void cancel() {
         model.charts().cancel();
-        model.choose(choice -> choice.withView(StageView.COLOURS));
+        model.choose(choice -> choice.withView(StageView.COLORS));
     }
 
     /** Says what is being counted, where that is a chart. */

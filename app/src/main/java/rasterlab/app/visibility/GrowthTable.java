@@ -110,7 +110,7 @@ final class GrowthTable {
     private void swatch(Graphics2D graphics, String method, int y) {
         MethodLook look = chart.look(method).on(paper);
         var line = (Graphics2D) graphics.create();
-        line.setColor(look.colour());
+        line.setColor(look.color());
         line.setStroke(look.stroke());
         line.drawLine(BESIDE, y, BESIDE + LINE, y);
         look.marker().paint(line, BESIDE + LINE / 2.0, y, 9);

@@ -79,7 +79,7 @@ final class PixelLens extends SelfDrawn {
         switch (wrong) {
             case MISSING -> PixelMark.MISSING.paint(g, x, y, side);
             case EXTRA -> PixelMark.EXTRA.paint(g, x, y, side);
-            case COLOUR -> WrongFaceIcon.paint(g, x, y, side);
+            case COLOR -> WrongFaceIcon.paint(g, x, y, side);
             case NOTHING -> {}
         }
     }

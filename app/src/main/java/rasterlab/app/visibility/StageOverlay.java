@@ -49,10 +49,10 @@ final class StageOverlay {
     /** Writes the name of the method, on a plate of its colour. */
     void name(String method, Language language) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
-        Color colour = VisibilityColors.OWN.of(method);
+        Color color = VisibilityColors.OWN.of(method);
         int y = g.getFontMetrics().getAscent() + 8;
         String called = OwnWords.called(method, language);
-        Plates.plate(g, called, 12, y, colour, MethodColors.inkOn(colour));
+        Plates.plate(g, called, 12, y, color, MethodColors.inkOn(color));
     }
 
     /** Draws all cuts up to a step, and the face or the pixels that it was about. */
@@ -85,7 +85,7 @@ final class StageOverlay {
         outline(corners, WIDE, THIN, MethodColors.BLUE);
     }
 
-    private void outline(double[] corners, Stroke below, Stroke above, Color colour) {
+    private void outline(double[] corners, Stroke below, Stroke above, Color color) {
         if (corners.length == 0) return;
         var path = new Path2D.Double();
         path.moveTo(corners[0] / scale, corners[1] / scale);
@@ -96,7 +96,7 @@ final class StageOverlay {
         g.setColor(Color.WHITE);
         g.draw(path);
         g.setStroke(above);
-        g.setColor(colour);
+        g.setColor(color);
         g.draw(path);
     }
 

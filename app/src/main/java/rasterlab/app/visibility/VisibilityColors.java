@@ -3,8 +3,8 @@ package rasterlab.app.visibility;
 import static rasterlab.app.canvas.method.MethodColors.BLUE;
 import static rasterlab.app.canvas.method.MethodColors.BROWN;
 import static rasterlab.app.canvas.method.MethodColors.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GRAY;
 import static rasterlab.app.canvas.method.MethodColors.GREEN;
-import static rasterlab.app.canvas.method.MethodColors.GREY;
 import static rasterlab.app.canvas.method.MethodColors.INDIGO;
 import static rasterlab.app.canvas.method.MethodColors.MAGENTA;
 import static rasterlab.app.canvas.method.MethodColors.OLIVE;
@@ -28,7 +28,7 @@ final class VisibilityColors {
     static final TopicColors OWN =
             new TopicColors(
                     Map.ofEntries(
-                            Map.entry("none", GREY),
+                            Map.entry("none", GRAY),
                             Map.entry("back-face", INDIGO),
                             Map.entry("convex", YELLOW),
                             Map.entry("painter-textbook", PURPLE),

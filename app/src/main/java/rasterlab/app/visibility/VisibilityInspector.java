@@ -332,7 +332,7 @@ final class VisibilityInspector {
         private final JLabel wrongPixels;
         private final JLabel missing;
         private final JLabel extra;
-        private final JLabel miscoloured;
+        private final JLabel miscolored;
         private final JLabel share;
         private final JLabel largest;
         private final JLabel other;
@@ -344,8 +344,8 @@ final class VisibilityInspector {
             missing.setIcon(new PixelMarkIcon(PixelMark.MISSING));
             extra = column.value("extra");
             extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
-            miscoloured = column.value("miscoloured");
-            miscoloured.setIcon(new WrongFaceIcon());
+            miscolored = column.value("miscoloured");
+            miscolored.setIcon(new WrongFaceIcon());
             share = column.value("share");
             largest = column.value("largest");
             other = column.value("other");
@@ -359,13 +359,13 @@ final class VisibilityInspector {
                     two ? new MethodSwatch(choice.visibility(), VisibilityColors.OWN) : null);
             missing.setText(readings.missing());
             extra.setText(readings.extra());
-            miscoloured.setText(readings.miscoloured());
+            miscolored.setText(readings.miscolored());
             share.setText(readings.share());
             largest.setText(readings.largest());
             other.setText(readings.other());
             other.setToolTipText(readings.otherRefusal().orElse(null));
             other.setIcon(two ? new MethodSwatch(choice.comparison(), VisibilityColors.OWN) : null);
-            for (JLabel each : List.of(missing, extra, miscoloured, share, largest))
+            for (JLabel each : List.of(missing, extra, miscolored, share, largest))
                 column.showRow(each, choice.difference());
             column.showRow(other, two);
         }

@@ -179,8 +179,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     /** Compares in the scene's own colours, unmarked. */
-    public void compareColours(String scene, String method, String comparison) {
-        choose(choice -> choice.comparing(scene, method, comparison).inOwnColours());
+    public void compareColors(String scene, String method, String comparison) {
+        choose(choice -> choice.comparing(scene, method, comparison).inOwnColors());
     }
 
     /** Lets the timeline go through the method's steps, or turn the scene. */
@@ -361,7 +361,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     private void accept(Frame.Pictures made) {
         Picture first = made.first();
-        boolean timed = first.refusal().isEmpty() && state.choice().view() == StageView.COLOURS;
+        boolean timed = first.refusal().isEmpty() && state.choice().view() == StageView.COLORS;
         if (timed && first.request().visibility().equals(state.choice().visibility()))
             times.add(first.nanos());
         publish(state.with(made));

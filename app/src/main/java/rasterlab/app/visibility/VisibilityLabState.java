@@ -73,7 +73,7 @@ public record VisibilityLabState(
 
     /** Whether wrong pixels are marked: they are told of pictures that are drawn to the end. */
     boolean marked() {
-        return choice.difference() && choice.view() == StageView.COLOURS && step == Frame.ALL;
+        return choice.difference() && choice.view() == StageView.COLORS && step == Frame.ALL;
     }
 
     /** Whether another method's depths are shown, whose steps are not the chosen one's. */
@@ -83,7 +83,7 @@ public record VisibilityLabState(
 
     /** Whether the whole picture of a model, drawn to the end, has nothing of it. */
     boolean showsNothing() {
-        return choice.view() == StageView.COLOURS
+        return choice.view() == StageView.COLORS
                 && step == Frame.ALL
                 && choice.shown().up().isPresent()
                 && picture.filter(drawn -> drawn.refusal().isEmpty())

@@ -74,8 +74,8 @@ final class VisibilityReadings {
         return compared(difference -> count(difference.extra()));
     }
 
-    String miscoloured() {
-        return compared(difference -> count(difference.miscoloured()));
+    String miscolored() {
+        return compared(difference -> count(difference.miscolored()));
     }
 
     String share() {

@@ -153,7 +153,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                 (lab, input, beside) ->
                         lab.history().asOne(() -> showOwn(lab, topic.name(), input, beside, view));
         return new TopicCard<>(
-                card.topic(), card.lab(), card.colours(), card.way().showingOwn(showing));
+                card.topic(), card.lab(), card.colors(), card.way().showingOwn(showing));
     }
 
     /**
@@ -174,7 +174,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                 choice ->
                         choice.withVisibility(OwnMethods.NAME)
                                 .withComparison(drawnBy(beside))
-                                .withView(StageView.COLOURS)
+                                .withView(StageView.COLORS)
                                 .withDifference(true));
     }
 
@@ -189,7 +189,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
 
     /** No order of whole boards is right; the list has the order in which they were drawn. */
     private static void showOrder(VisibilityLabModel lab) {
-        lab.compareColours("cyclic-overlap", "painter", "newell");
+        lab.compareColors("cyclic-overlap", "painter", "newell");
         lab.watchSteps(true);
     }
 }

@@ -158,8 +158,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                 view == StageView.GROWTH
                         ? GrowthChart.filling(getWidth(), getHeight(), type)
                         : ChartSize.filling(getWidth(), getHeight(), type);
-        var colours = StageColors.now();
-        model.charts().ask(new ChartStudies.Question(view, texts.language(), colours, size));
+        var colors = StageColors.now();
+        model.charts().ask(new ChartStudies.Question(view, texts.language(), colors, size));
     }
 
     @Override

@@ -25,7 +25,7 @@ final class WrongFaceIcon extends FlatAbstractIcon {
         g.setColor(EDGE);
         g.fillRect(x + inset, y + inset, size - 2 * inset, size - 2 * inset);
         int within = inset + edge;
-        g.setColor(PixelMark.COLOUR);
+        g.setColor(PixelMark.COLOR);
         g.fillRect(x + within, y + within, size - 2 * within, size - 2 * within);
     }
 

@@ -42,7 +42,7 @@ class PicturePairTest {
         var view =
                 new PlaneView(
                         PlaneAxes.GEOMETRY, texts, note, new NoEdits(), () -> {}, failures::add);
-        view.show((g, map, colours, cancelled) -> {}, List.of(), note, ALL, 1);
+        view.show((g, map, colors, cancelled) -> {}, List.of(), note, ALL, 1);
         return view;
     }
 }

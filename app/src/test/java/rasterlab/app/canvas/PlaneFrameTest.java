@@ -38,7 +38,7 @@ class PlaneFrameTest {
 
         @Override
         public void paint(
-                Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {}
+                Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {}
 
         @Override
         public PlanePicture leaving(List<Rectangle> labels) {

@@ -26,7 +26,7 @@ class PlaneViewTest {
     private record Empty(boolean ruled) implements PlanePicture {
         @Override
         public void paint(
-                Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {}
+                Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {}
     }
 
     @ParameterizedTest(name = "the note covers the handle at ({0}, {1}), with rulers: {2}")

@@ -38,9 +38,9 @@ class ZoomedGridTest {
 
     @Test
     void zoomStopsAtTheLargestAndSmallestCell() {
-        var centre = new Point2D.Double();
-        assertEquals(ZoomedGrid.LARGEST, grid.zoomed(1e9, centre).cell());
-        assertEquals(ZoomedGrid.SMALLEST, grid.zoomed(1e-9, centre).cell());
+        var center = new Point2D.Double();
+        assertEquals(ZoomedGrid.LARGEST, grid.zoomed(1e9, center).cell());
+        assertEquals(ZoomedGrid.SMALLEST, grid.zoomed(1e-9, center).cell());
         assertThrows(IllegalArgumentException.class, () -> new ZoomedGrid(0, 0, Double.NaN));
     }
 

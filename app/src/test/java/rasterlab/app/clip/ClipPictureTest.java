@@ -154,9 +154,9 @@ class ClipPictureTest {
 
     @ParameterizedTest(name = "a region''s code is too pale to be read: {0}")
     @MethodSource("themes")
-    void codesStandOutFromTheirGround(StageColors colours) {
-        for (Color ground : List.of(colours.ground(), colours.margin())) {
-            double contrast = MethodColors.contrast(ClipPainter.code(colours), ground);
+    void codesStandOutFromTheirGround(StageColors colors) {
+        for (Color ground : List.of(colors.ground(), colors.margin())) {
+            double contrast = MethodColors.contrast(ClipPainter.code(colors), ground);
             assertTrue(contrast >= READ, ground + ": " + contrast);
         }
     }
@@ -190,12 +190,12 @@ class ClipPictureTest {
         var map = new PlaneMap(100, 280, 25, -25);
         ClipResults results = ClipResults.of(topics, scene);
         ClipPicture picture = ClipPicture.of(scene, results.clipping(), 0, Locale.ENGLISH);
-        StageColors colours = StageColors.LIGHT;
-        int code = ClipPainter.code(colours).getRGB();
+        StageColors colors = StageColors.LIGHT;
+        int code = ClipPainter.code(colors).getRGB();
         var image = new BufferedImage(450, 400, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setClip(0, 0, 450, 400);
-        picture.paint(g, map, colours, () -> false);
+        picture.paint(g, map, colors, () -> false);
         g.dispose();
         var line = new Line2D.Double(map.viewX(-5), map.viewY(0), map.viewX(15), map.viewY(6));
         int written = 0;

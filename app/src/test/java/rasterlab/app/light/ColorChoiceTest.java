@@ -18,11 +18,11 @@ class ColorChoiceTest {
 
     @Test
     void allModelsFollowTheSliderThatIsMoved() {
-        ColorChoice colour = rgb(1, 0.5, 0).with(ColorModel.HSV, 0, 120);
-        assertArrayEquals(new double[] {0, 1, 0}, colour.in(ColorModel.RGB), 1e-12);
-        assertArrayEquals(new double[] {1, 0, 1}, colour.in(ColorModel.CMY), 1e-12);
-        assertArrayEquals(new double[] {1, 0, 1, 0}, colour.in(ColorModel.CMYK), 1e-12);
-        assertEquals(0x00FF00, colour.rgb());
+        ColorChoice color = rgb(1, 0.5, 0).with(ColorModel.HSV, 0, 120);
+        assertArrayEquals(new double[] {0, 1, 0}, color.in(ColorModel.RGB), 1e-12);
+        assertArrayEquals(new double[] {1, 0, 1}, color.in(ColorModel.CMY), 1e-12);
+        assertArrayEquals(new double[] {1, 0, 1, 0}, color.in(ColorModel.CMYK), 1e-12);
+        assertEquals(0x00FF00, color.rgb());
     }
 
     @Test
@@ -34,26 +34,26 @@ class ColorChoiceTest {
     }
 
     @Test
-    void hueOfAGreyBeginsAtRed() {
-        ColorChoice grey = rgb(0.5, 0.5, 0.5);
-        assertTrue(Double.isNaN(grey.in(ColorModel.HSV)[0]));
-        assertEquals(0x804040, grey.with(ColorModel.HSV, 1, 0.5).rgb());
+    void hueOfAGrayBeginsAtRed() {
+        ColorChoice gray = rgb(0.5, 0.5, 0.5);
+        assertTrue(Double.isNaN(gray.in(ColorModel.HSV)[0]));
+        assertEquals(0x804040, gray.with(ColorModel.HSV, 1, 0.5).rgb());
     }
 
     @Test
-    void colourOutsideTheCubeIsNotTaken() {
-        ColorChoice colour = rgb(1, 1, 0.9);
-        ColorChoice tried = colour.with(ColorModel.HVS, 2, 0.8);
+    void colorOutsideTheCubeIsNotTaken() {
+        ColorChoice color = rgb(1, 1, 0.9);
+        ColorChoice tried = color.with(ColorModel.HVS, 2, 0.8);
         assertTrue(tried.outside());
-        assertEquals(colour.rgb(), tried.rgb());
+        assertEquals(color.rgb(), tried.rgb());
         assertEquals(List.of(1.0, 1.0, 0.9), tried.components());
     }
 
     @Test
     void bytesLoseWhatTheFormulaBringsBack() {
-        ColorChoice colour = rgb(0.85, 0.45, 0.2);
-        colour.roundTrips()
+        ColorChoice color = rgb(0.85, 0.45, 0.2);
+        color.roundTrips()
                 .forEach((model, error) -> assertTrue(error < 1e-12, model + " " + error));
-        assertTrue(colour.withMethod("eight-bit").roundTrips().get(ColorModel.HVS) > 1e-4);
+        assertTrue(color.withMethod("eight-bit").roundTrips().get(ColorModel.HVS) > 1e-4);
     }
 }

@@ -236,12 +236,12 @@ class LightLabModelTest {
     }
 
     @Test
-    void resetBringsBackTheFirstLightAndColourAndCanBeUndone() {
+    void resetBringsBackTheFirstLightAndColorAndCanBeUndone() {
         model.choose(LightChoice::grown);
-        model.colour(colour -> colour.turned(1, 0));
+        model.color(color -> color.turned(1, 0));
         model.reset();
         assertEquals(LightChoice.first(), model.state().choice());
-        assertEquals(ColorChoice.first(), model.state().colour());
+        assertEquals(ColorChoice.first(), model.state().color());
         model.history().undo();
         assertEquals(3, model.state().choice().lamps().size());
     }

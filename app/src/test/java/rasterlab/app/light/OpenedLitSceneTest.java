@@ -63,9 +63,9 @@ class OpenedLitSceneTest {
                         .withKind(Lamp.Kind.SPOT)
                         .withCutoff(33)
                         .withExponent(7)
-                        .coloured(0x804020)
+                        .colored(0x804020)
                         .withStrength(1.3);
-        Lamp faint = Lamp.at(-80, 3, 20).attenuated(0.7, 0.3, 0.11).coloured(0x336699);
+        Lamp faint = Lamp.at(-80, 3, 20).attenuated(0.7, 0.3, 0.11).colored(0x336699);
         Lamp sun = Lamp.at(1, 2, 3).withKind(Lamp.Kind.SUN).withStrength(0.35);
         assertOpened(
                 LightChoice.first()

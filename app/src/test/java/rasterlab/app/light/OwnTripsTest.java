@@ -33,12 +33,12 @@ class OwnTripsTest {
 
     private OwnTrips.Trips trips(String source) throws InterruptedException {
         own.bring(EXERCISE, source);
-        model.enterColours();
-        model.colour(colour -> colour.withMethod(OwnMethods.NAME));
-        model.ownTrips(model.state().colour());
+        model.enterColors();
+        model.color(color -> color.withMethod(OwnMethods.NAME));
+        model.ownTrips(model.state().color());
         model.settle();
         for (Runnable next = answers.poll(); next != null; next = answers.poll()) next.run();
-        return model.ownTrips(model.state().colour()).orElseThrow();
+        return model.ownTrips(model.state().color()).orElseThrow();
     }
 
     private static String converting(String body) {
@@ -54,7 +54,7 @@ class OwnTripsTest {
     }
 
     @Test
-    void theModelSolutionBringsTheColourBackFromEachModel() throws InterruptedException {
+    void theModelSolutionBringsTheColorBackFromEachModel() throws InterruptedException {
         OwnTrips.Trips trips = trips(EXERCISE.evidence().model().orElseThrow());
         assertEquals("", trips.refusal());
         assertEquals(ColorModel.values().length - 1, trips.errors().size());

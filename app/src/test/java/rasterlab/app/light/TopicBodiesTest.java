@@ -83,7 +83,7 @@ class TopicBodiesTest {
     }
 
     @Test
-    void colourOutsideTheCubeIsBroughtToItsNearestPlace() {
+    void colorOutsideTheCubeIsBroughtToItsNearestPlace() {
         Colors bright = input(new ColorTopic().hazards(), "brighter-than-white");
         ColorChoice cut = ColorChoice.first().with(bright, "formula");
         assertTrue(cut.outside());
@@ -104,7 +104,7 @@ class TopicBodiesTest {
                         "black",
                         "formula",
                         verdict,
-                        List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))));
+                        List.of(ShownDifference.of(ShownDifference.Kind.COLOR_CUT))));
         assertEquals("black", model.state().note().orElseThrow().hazard());
         model.drawNormals(true);
         assertFalse(model.state().note().isPresent());

@@ -126,7 +126,7 @@ class LineStageTest {
 
     @ParameterizedTest(name = "coverage is painted as whole blocks: {0}")
     @MethodSource("grounds")
-    void coverageIsOpacity(StageColors colours) throws InterruptedException {
+    void coverageIsOpacity(StageColors colors) throws InterruptedException {
         model.chooseMethod("wu");
         model.show(new Segment(0, 0, 11, 4));
         model.settle();
@@ -139,7 +139,7 @@ class LineStageTest {
                                 500,
                                 300,
                                 1,
-                                colours,
+                                colors,
                                 new Font(Font.SANS_SERIF, Font.PLAIN, 13),
                                 "",
                                 NO_BUTTONS,
@@ -191,11 +191,11 @@ class LineStageTest {
     }
 
     private static boolean isInk(int rgb) {
-        var colour = new Color(rgb);
+        var color = new Color(rgb);
         Color ink = StageColors.LIGHT.ink();
-        return Math.abs(colour.getRed() - ink.getRed()) < 60
-                && Math.abs(colour.getGreen() - ink.getGreen()) < 60
-                && Math.abs(colour.getBlue() - ink.getBlue()) < 60;
+        return Math.abs(color.getRed() - ink.getRed()) < 60
+                && Math.abs(color.getGreen() - ink.getGreen()) < 60
+                && Math.abs(color.getBlue() - ink.getBlue()) < 60;
     }
 
     @Test

@@ -75,9 +75,9 @@ class OwnFigureTest {
             assertEquals("1 pixel", readings.again());
             assertEquals(0, model.state().drawing().difference().extra().size());
             var arc = (ArcFigure) model.state().scene().figure();
-            assertTrue(isMarked(model, arc.centreX() + arc.radiusX(), arc.centreY(), 3));
-            assertFalse(isMarked(model, arc.centreX() - arc.radiusX(), arc.centreY(), 3));
-            assertFalse(isMarked(model, arc.centreX() + arc.radiusX(), arc.centreY(), 1));
+            assertTrue(isMarked(model, arc.centerX() + arc.radiusX(), arc.centerY(), 3));
+            assertFalse(isMarked(model, arc.centerX() - arc.radiusX(), arc.centerY(), 3));
+            assertFalse(isMarked(model, arc.centerX() + arc.radiusX(), arc.centerY(), 1));
             assertEquals(List.of(), failures);
         }
     }

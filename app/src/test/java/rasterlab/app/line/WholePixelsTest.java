@@ -28,7 +28,7 @@ class WholePixelsTest {
                     () -> {
                         model.chooseMode(LineMode.CIRCLE);
                         var fields = new ArcFields(model, texts);
-                        refuses((JSpinner) fields.centre().getComponent(1));
+                        refuses((JSpinner) fields.center().getComponent(1));
                         refuses((JSpinner) fields.radii().getComponent(0));
                     });
         }

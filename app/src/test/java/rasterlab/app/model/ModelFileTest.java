@@ -163,7 +163,7 @@ class ModelFileTest {
     @ParameterizedTest(name = "{0} stops a model, or is not told")
     @ValueSource(
             strings = {"none.png", "../up.png", "/etc/passwd", "maps", "a.obj", "pipe", "link.png"})
-    void colourStandsForTexturesThatAreNotThere(String name) throws IOException {
+    void colorStandsForTexturesThatAreNotThere(String name) throws IOException {
         write("a.obj", ("mtllib a.mtl\nusemtl a\n" + textured()).getBytes());
         write("a.mtl", ("newmtl a\nKd 1 0 0\nmap_Kd " + name + "\n").getBytes());
         Files.createDirectories(folder.resolve("maps"));

@@ -286,7 +286,7 @@ class OpenGlLabModelTest {
 
     /** The test takes every order of the two choices. */
     @Test
-    void decalWithoutColoursStaysAndIsNamed() {
+    void decalWithoutColorsStaysAndIsNamed() {
         GlChoice quad = GlChoice.first().with(Setting.SCENE, "quad");
         GlChoice decal = quad.with(Setting.ENV_MODE, "GL_DECAL");
         for (String components : new String[] {"1", "2"}) {

@@ -66,8 +66,8 @@ class PictureFileTest {
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
-    @MethodSource("greys")
-    void greyLevelsAreThoseOfTheFile(String format, int bits, boolean alpha, int components)
+    @MethodSource("grays")
+    void grayLevelsAreThoseOfTheFile(String format, int bits, boolean alpha, int components)
             throws Exception {
         var model =
                 new ComponentColorModel(
@@ -89,7 +89,7 @@ class PictureFileTest {
         assertEquals(alpha ? 64 : 255, texel >>> 24);
     }
 
-    static Stream<Arguments> greys() {
+    static Stream<Arguments> grays() {
         return Stream.of(
                 argumentSet("grey PNG becomes lighter", "png", 8, false, 1),
                 argumentSet("grey JPEG becomes lighter", "jpg", 8, false, 1),

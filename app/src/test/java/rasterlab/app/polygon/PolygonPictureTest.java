@@ -54,7 +54,7 @@ class PolygonPictureTest {
         return hazard.isEmpty() ? first : first.with(topics.showing(first, hazard));
     }
 
-    private static Set<Integer> colours(PolygonScene scene, PlanePicture picture) {
+    private static Set<Integer> colors(PolygonScene scene, PlanePicture picture) {
         var image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -66,16 +66,16 @@ class PolygonPictureTest {
         PlaneMap map = PlaneMap.fitting(PolygonFraming.of(scene.figure()), view, axes);
         picture.paint(g, map, StageColors.LIGHT, () -> false);
         g.dispose();
-        var colours = new HashSet<Integer>();
+        var colors = new HashSet<Integer>();
         for (int y = 0; y < HEIGHT; y++)
-            for (int x = 0; x < WIDTH; x++) colours.add(image.getRGB(x, y));
-        return colours;
+            for (int x = 0; x < WIDTH; x++) colors.add(image.getRGB(x, y));
+        return colors;
     }
 
     private Set<Integer> result(PolygonScene scene) {
         PolygonResults results = PolygonResults.of(topics, scene);
         int step = results.outcome().steps() + 1;
-        return colours(scene, pictures.of(scene, results.outcome(), step));
+        return colors(scene, pictures.of(scene, results.outcome(), step));
     }
 
     @ParameterizedTest(name = "{1} of {0}: {2} is marked as wrong: {3}")
@@ -93,8 +93,8 @@ class PolygonPictureTest {
     })
     void marksWhatIsWrongAndNothingElse(
             PolygonMode mode, String hazard, String method, boolean wrong) {
-        Set<Integer> colours = result(scene(mode, hazard, method, ""));
-        assertEquals(wrong, colours.contains(MethodColors.VERMILLION.getRGB()));
+        Set<Integer> colors = result(scene(mode, hazard, method, ""));
+        assertEquals(wrong, colors.contains(MethodColors.VERMILLION.getRGB()));
     }
 
     @ParameterizedTest(name = "the name of a corner is written over a side: {0}")
@@ -129,22 +129,22 @@ class PolygonPictureTest {
                 PolygonResults results = PolygonResults.of(topics, scene);
                 for (int step : new int[] {1, results.outcome().steps() + 1})
                     assertFalse(
-                            colours(scene, pictures.of(scene, results.outcome(), step)).isEmpty(),
+                            colors(scene, pictures.of(scene, results.outcome(), step)).isEmpty(),
                             hazard.name());
             }
     }
 
     @Test
-    void differenceOfTwoMethodsHasTheirColours() {
+    void differenceOfTwoMethodsHasTheirColors() {
         PolygonScene scene = scene(PolygonMode.FILL, "corners-on-centres", "naive", "scanline");
         PolygonResults results = PolygonResults.of(topics, scene);
         PlanePicture difference = pictures.difference(results, results.outcome().steps() + 1);
-        assertTrue(colours(scene, difference).contains(PolygonColors.OWN.of("naive").getRGB()));
+        assertTrue(colors(scene, difference).contains(PolygonColors.OWN.of("naive").getRGB()));
         scene = scene(PolygonMode.POLYGON, "covered-twice", "winding", "ray");
         results = PolygonResults.of(topics, scene);
         difference = pictures.difference(results, 0);
-        assertTrue(colours(scene, difference).contains(PolygonColors.OWN.of("winding").getRGB()));
-        assertTrue(colours(scene, difference).contains(PolygonColors.OWN.of("ray").getRGB()));
+        assertTrue(colors(scene, difference).contains(PolygonColors.OWN.of("winding").getRGB()));
+        assertTrue(colors(scene, difference).contains(PolygonColors.OWN.of("ray").getRGB()));
     }
 
     @Test

@@ -35,14 +35,14 @@ class LabSnapshotTest {
 
     @ParameterizedTest(name = "the line is not drawn: {0}, {1}")
     @MethodSource("looks")
-    void showsTheLineInItsMethodsColour(LabTheme theme, Language language)
+    void showsTheLineInItsMethodsColor(LabTheme theme, Language language)
             throws InterruptedException {
         BufferedImage image = LabSnapshot.of("line", theme, language, models -> {}, 1280, 800);
         assertEquals(1280, image.getWidth());
-        Set<Integer> colours = colours(image);
+        Set<Integer> colors = colors(image);
         assertTrue(
-                colours.contains(
-                        0xFF000000 | LabRooms.card("line").colours().of("bresenham").getRGB()));
+                colors.contains(
+                        0xFF000000 | LabRooms.card("line").colors().of("bresenham").getRGB()));
     }
 
     @ParameterizedTest(name = "the picture is not waited for: {0}, {1}")
@@ -52,19 +52,18 @@ class LabSnapshotTest {
         BufferedImage image =
                 LabSnapshot.of("visibility", theme, language, models -> {}, 1280, 800);
         // 270 side faces, each with its own tone: dozens of different colours.
-        assertTrue(colours(image.getSubimage(10, 110, 800, 600)).size() > 40);
+        assertTrue(colors(image.getSubimage(10, 110, 800, 600)).size() > 40);
     }
 
     @ParameterizedTest(name = "the clipped segments are not drawn: {0}, {1}")
     @MethodSource("looks")
-    void showsWhatIsLeftInItsMethodsColour(LabTheme theme, Language language)
+    void showsWhatIsLeftInItsMethodsColor(LabTheme theme, Language language)
             throws InterruptedException {
         BufferedImage image = LabSnapshot.of("clip", theme, language, models -> {}, 1280, 800);
         BufferedImage stage = image.getSubimage(60, 300, 600, 420);
         int left =
-                0xFF000000
-                        | LabRooms.card("clip-segment").colours().of("cohen-sutherland").getRGB();
-        assertTrue(colours(stage).contains(left));
+                0xFF000000 | LabRooms.card("clip-segment").colors().of("cohen-sutherland").getRGB();
+        assertTrue(colors(stage).contains(left));
     }
 
     @Test
@@ -83,10 +82,10 @@ class LabSnapshotTest {
         assertTrue(refused.getMessage().contains("visibility"), refused.getMessage());
     }
 
-    private static Set<Integer> colours(BufferedImage image) {
-        var colours = new HashSet<Integer>();
+    private static Set<Integer> colors(BufferedImage image) {
+        var colors = new HashSet<Integer>();
         for (int y = 0; y < image.getHeight(); y++)
-            for (int x = 0; x < image.getWidth(); x++) colours.add(image.getRGB(x, y));
-        return colours;
+            for (int x = 0; x < image.getWidth(); x++) colors.add(image.getRGB(x, y));
+        return colors;
     }
 }

@@ -141,7 +141,7 @@ class MnemonicsTest {
                         models.of(new CoordinatesRoom()).views().choose(ViewKind.SPHERICAL_LEFT);
                         models.of(new CoordinatesRoom()).show(CoordinatesMode.VIEWS);
                         seen.put("spherical view", shown(content));
-                        models.of(new LightRoom()).showColours(true);
+                        models.of(new LightRoom()).showColors(true);
                         content.show("light");
                         seen.put("colours", shown(content));
                         models.of(new LightRoom()).rows().open("texture-filter");

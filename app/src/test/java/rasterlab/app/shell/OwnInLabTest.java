@@ -269,7 +269,7 @@ class OwnInLabTest {
     }
 
     @Test
-    void theLabOfColoursAsksTheProgram() {
+    void theLabOfColorsAsksTheProgram() {
         showModel(Catalogue.builtIn().named("color"));
         assertTrue(
                 String.valueOf(MadeLabs.light(models).kept()).contains("method=" + OwnMethods.NAME),

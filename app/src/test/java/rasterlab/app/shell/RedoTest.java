@@ -94,7 +94,7 @@ class RedoTest {
                 lab(
                         "light",
                         models -> models.of(new LightRoom()).history(),
-                        models -> models.of(new LightRoom()).showColours(true)),
+                        models -> models.of(new LightRoom()).showColors(true)),
                 lab(
                         "visibility.rows",
                         models -> models.of(new VisibilityRoom()).rows().history(),

@@ -95,9 +95,9 @@ class ShownTopicsTest {
         List<String> names = topic.methods().stream().map(Method::name).toList();
         var line = new StringJoiner(" ");
         line.add("method " + method.name());
-        TopicColors colours = LabRooms.card(topic.name()).colours();
-        line.add(hex(colours.of(method.name())));
-        line.add(hex(colours.among(names).get(method.name())));
+        TopicColors colors = LabRooms.card(topic.name()).colors();
+        line.add(hex(colors.of(method.name())));
+        line.add(hex(colors.among(names).get(method.name())));
         for (Language language : Language.values()) {
             TopicTexts said = TopicTexts.of(topic.name(), language);
             for (String what : List.of("formula", "invariant", "cost", "failures", "source"))
@@ -155,8 +155,8 @@ class ShownTopicsTest {
         return parts.toString();
     }
 
-    private static String hex(Color colour) {
-        return "%06X".formatted(colour.getRGB() & 0xFFFFFF);
+    private static String hex(Color color) {
+        return "%06X".formatted(color.getRGB() & 0xFFFFFF);
     }
 
     private static String sum(String text) {

@@ -31,7 +31,7 @@ class ToldHazardTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     try (var models = LabModels.first(failures::add)) {
-                        models.of(new LightRoom()).showColours(true);
+                        models.of(new LightRoom()).showColors(true);
                         tellAgain(models, "light", "deep-blue");
                         tellAgain(models, "line", "far-away");
                     }

@@ -152,11 +152,11 @@ class TourTest {
     }
 
     /** Pixels of that colour, or nearly: a picture that is made smaller mixes neighbours. */
-    private long pixels(String lab, Color colour) throws Exception {
+    private long pixels(String lab, Color color) throws Exception {
         BufferedImage image = picture(lab);
         return IntStream.range(0, image.getWidth() * image.getHeight())
                 .map(i -> image.getRGB(i % image.getWidth(), i / image.getWidth()))
-                .filter(rgb -> isNearly(colour, new Color(rgb)))
+                .filter(rgb -> isNearly(color, new Color(rgb)))
                 .count();
     }
 

@@ -19,7 +19,7 @@ class DifferenceContrastTest {
     @ParameterizedTest(name = "a wrong pixel is lost on grey {0}")
     @ValueSource(ints = {0, 60, 128, 200, 255})
     void wrongPixelStandsOutFromItsEdgeAndThatFromTheGround(int level) {
-        Raster mask = PictureDifference.of(grey(level, 0), grey(level, 1)).mask();
+        Raster mask = PictureDifference.of(gray(level, 0), gray(level, 1)).mask();
         Color wrong = at(mask, MIDDLE, MIDDLE);
         assertEquals(PictureDifference.WRONG, wrong.getRGB());
         Color ground = at(mask, 0, 0);
@@ -44,7 +44,7 @@ class DifferenceContrastTest {
     /**
      * @param middle what the blue of the pixel in the middle differs by
      */
-    private static Raster grey(int level, int middle) {
+    private static Raster gray(int level, int middle) {
         var raster = new Raster(SIDE, SIDE);
         int argb = 0xFF000000 | 0x010101 * level;
         raster.clear(argb);

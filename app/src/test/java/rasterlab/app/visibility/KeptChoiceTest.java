@@ -264,7 +264,7 @@ class KeptChoiceTest {
 
     @Test
     @DisplayName("a picture that has lost its colours costs the scene for the environment chosen")
-    void decalIsGivenUpForAGreyPicture(@TempDir Path folder) throws IOException {
+    void decalIsGivenUpForAGrayPicture(@TempDir Path folder) throws IOException {
         model.choose(choice -> choice.withScene("globe"));
         Path file = folder.resolve("flag.png");
         ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
@@ -318,7 +318,7 @@ class KeptChoiceTest {
 
     @Test
     @DisplayName("a texture without colours is refused for a decal in English")
-    void missingColoursAreSaidInBothLanguages() {
+    void missingColorsAreSaidInBothLanguages() {
         var refused =
                 assertThrows(
                         IllegalArgumentException.class,

@@ -67,7 +67,7 @@ class LentDepthsTest {
         assertTrue(model.state().drawn().isEmpty(), "the painter's steps");
         var readings = new VisibilityReadings(model, Texts.of("visibility", Language.ENGLISH));
         assertEquals("none: another method’s depths", readings.work().get(0));
-        model.choose(choice -> choice.withView(StageView.COLOURS));
+        model.choose(choice -> choice.withView(StageView.COLORS));
         thread.settle(model::settle);
         assertTrue(model.state().picture().orElseThrow().lent().isEmpty());
         assertEquals(3, new DrawingSteps(model).step(), "the step was lost");

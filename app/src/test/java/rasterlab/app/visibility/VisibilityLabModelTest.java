@@ -380,21 +380,20 @@ class VisibilityLabModelTest {
     @Test
     @DisplayName("a chart keeps the colours of the theme before")
     void chartStandsOnTheGroundOfItsTheme() {
-        for (var colours : List.of(StageColors.DARK, StageColors.LIGHT, StageColors.PROJECTOR)) {
-            model.charts().ask(asked(StageView.PRECISION, colours));
+        for (var colors : List.of(StageColors.DARK, StageColors.LIGHT, StageColors.PROJECTOR)) {
+            model.charts().ask(asked(StageView.PRECISION, colors));
             settle();
             var image = model.charts().chart().orElseThrow().image();
             for (int corner : new int[] {0, image.getWidth() - 1})
-                assertEquals(
-                        colours.ground().getRGB(), image.getRGB(corner, 0), colours.toString());
+                assertEquals(colors.ground().getRGB(), image.getRGB(corner, 0), colors.toString());
             assertEquals(
-                    colours.ground().getRGB(),
+                    colors.ground().getRGB(),
                     image.getRGB(image.getWidth() / 3, image.getHeight() / 2 + 3),
-                    "the plot on " + colours);
+                    "the plot on " + colors);
         }
     }
 
-    private static ChartStudies.Question asked(StageView view, StageColors colours) {
-        return new ChartStudies.Question(view, Language.ENGLISH, colours, ChartSize.USUAL);
+    private static ChartStudies.Question asked(StageView view, StageColors colors) {
+        return new ChartStudies.Question(view, Language.ENGLISH, colors, ChartSize.USUAL);
     }
 }

@@ -76,18 +76,18 @@ class WrongRowsTest {
         return found;
     }
 
-    private static HashSet<Integer> colours(Icon icon, Component on) {
+    private static HashSet<Integer> colors(Icon icon, Component on) {
         var image = new BufferedImage(40, 40, BufferedImage.TYPE_INT_RGB);
         icon.paintIcon(on, image.getGraphics(), 4, 4);
-        var colours = new HashSet<Integer>();
-        for (int i = 0; i < 1600; i++) colours.add(image.getRGB(i % 40, i / 40));
-        return colours;
+        var colors = new HashSet<Integer>();
+        for (int i = 0; i < 1600; i++) colors.add(image.getRGB(i % 40, i / 40));
+        return colors;
     }
 
     @Test
     @DisplayName("two methods' counts do not say whose they are, or one stands only with marks")
     void countsNameTheirMethods() {
-        model.choose(choice -> choice.withScene("cyclic-overlap").inOwnColours());
+        model.choose(choice -> choice.withScene("cyclic-overlap").inOwnColors());
         model.choose(choice -> choice.withComparison("newell"));
         show();
         assertTrue(value("wrongPixels").getText().matches("painter: [1-9][0-9,]*"));
@@ -95,8 +95,8 @@ class WrongRowsTest {
         assertTrue(value("other").isVisible(), "shown only with marks");
         for (String[] one : new String[][] {{"wrongPixels", "painter"}, {"other", "newell"}}) {
             JLabel value = value(one[0]);
-            int colour = VisibilityColors.OWN.of(one[1]).getRGB();
-            assertTrue(colours(value.getIcon(), value).contains(colour), one[1]);
+            int color = VisibilityColors.OWN.of(one[1]).getRGB();
+            assertTrue(colors(value.getIcon(), value).contains(color), one[1]);
         }
         model.choose(choice -> choice.withComparison(""));
         thread.settle(model::settle);
@@ -108,7 +108,7 @@ class WrongRowsTest {
     @Test
     @DisplayName("a count that is not made is waited for for ever")
     void countThatIsNotMadeIsNotWaitedFor() {
-        model.compareColours("cyclic-overlap", "painter", "newell");
+        model.compareColors("cyclic-overlap", "painter", "newell");
         model.turn(0.1, 0);
         thread.settle(model::settle);
         inspector.refresh();
@@ -165,13 +165,13 @@ class WrongRowsTest {
 
     @ParameterizedTest(name = "the sign of wrong faces has other colours than marked areas: {0}")
     @EnumSource(Language.class)
-    void signOfWrongFacesIsInTheColoursOfTheMarks(Language language) {
+    void signOfWrongFacesIsInTheColorsOfTheMarks(Language language) {
         texts = Texts.of("visibility", language);
         show();
         JLabel value = value("miscoloured");
-        HashSet<Integer> colours = colours(value.getIcon(), value);
-        assertTrue(colours.contains(PixelMark.ARGB));
-        assertTrue(colours.contains(PictureDifference.EDGE));
+        HashSet<Integer> colors = colors(value.getIcon(), value);
+        assertTrue(colors.contains(PixelMark.ARGB));
+        assertTrue(colors.contains(PictureDifference.EDGE));
         for (JLabel label : labels(inspector.column()))
             if (label.getLabelFor() == value)
                 assertTrue(label.getText().matches("[\\p{L} ]+"), label.getText());

@@ -26,7 +26,7 @@ final class ArcSample implements PixelPredicate {
     @Override
     public boolean test(int x, int y) {
         return inQuadrant(
-                Math.abs((long) x - figure.centreX()), Math.abs((long) y - figure.centreY()));
+                Math.abs((long) x - figure.centerX()), Math.abs((long) y - figure.centerY()));
     }
 
     private boolean inQuadrant(long u, long v) {
@@ -68,7 +68,7 @@ final class ArcSample implements PixelPredicate {
         for (int x = -u; ; x = u) {
             for (int y = -v; ; y = v) {
                 if (recording.size() < limit)
-                    recording.plot(figure.centreX() + x, figure.centreY() + y);
+                    recording.plot(figure.centerX() + x, figure.centerY() + y);
                 if (y == v) break;
             }
             if (x == u) break;

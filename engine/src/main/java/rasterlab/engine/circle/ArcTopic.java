@@ -91,7 +91,7 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
         Ellipse e = ellipse(input);
         var recording = new PixelRecording(limit);
         new ExactEllipse(e.radiusX(), e.radiusY())
-                .draw(e.centreX(), e.centreY(), (x, y) -> keep(recording, limit, x, y));
+                .draw(e.centerX(), e.centerY(), (x, y) -> keep(recording, limit, x, y));
         return recording;
     }
 

@@ -23,8 +23,8 @@ import rasterlab.engine.raster.Work;
  */
 public final class BresenhamCircle implements SteppedCircle {
     @Override
-    public void draw(int centreX, int centreY, int radius, Pixels out) {
-        var mirror = Mirror.about(centreX, centreY, radius, radius, out);
+    public void draw(int centerX, int centerY, int radius, Pixels out) {
+        var mirror = Mirror.about(centerX, centerY, radius, radius, out);
         var walk = new Walk(radius);
         while (walk.advance()) mirror.four(walk.u, walk.v);
     }

@@ -18,17 +18,17 @@ import rasterlab.engine.raster.Work;
  */
 public final class BresenhamTextbookCircle implements SteppedCircle {
     @Override
-    public void draw(int centreX, int centreY, int radius, Pixels out) {
-        Mirror.about(centreX, centreY, radius, radius, out);
+    public void draw(int centerX, int centerY, int radius, Pixels out) {
+        Mirror.about(centerX, centerY, radius, radius, out);
         var walk = new Walk(radius);
-        while (walk.advance()) eight(centreX, centreY, walk.u, walk.v, out);
+        while (walk.advance()) eight(centerX, centerY, walk.u, walk.v, out);
     }
 
-    private static void eight(int centreX, int centreY, int u, int v, Pixels out) {
+    private static void eight(int centerX, int centerY, int u, int v, Pixels out) {
         for (int signU = -1; signU <= 1; signU += 2)
             for (int signV = -1; signV <= 1; signV += 2) {
-                out.plot(centreX + signU * u, centreY + signV * v);
-                out.plot(centreX + signU * v, centreY + signV * u);
+                out.plot(centerX + signU * u, centerY + signV * v);
+                out.plot(centerX + signU * v, centerY + signV * u);
             }
     }
 

@@ -16,8 +16,8 @@ import rasterlab.engine.raster.Work;
  */
 public final class BresenhamTextbookEllipse implements SteppedEllipse {
     @Override
-    public void draw(int centreX, int centreY, int radiusX, int radiusY, Pixels out) {
-        var mirror = Mirror.about(centreX, centreY, radiusX, radiusY, out);
+    public void draw(int centerX, int centerY, int radiusX, int radiusY, Pixels out) {
+        var mirror = Mirror.about(centerX, centerY, radiusX, radiusY, out);
         var walk = new Walk(radiusX, radiusY);
         while (walk.advance()) mirror.four(walk.u, walk.v);
     }

@@ -1,9 +1,9 @@
 package rasterlab.engine.circle;
 
 /** A circle in whole pixels: an input of topic {@code circle}. */
-public record Circle(int centreX, int centreY, int radius) {
+public record Circle(int centerX, int centerY, int radius) {
     @Override
     public String toString() {
-        return "radius " + radius + " about (" + centreX + ", " + centreY + ")";
+        return "radius " + radius + " about (" + centerX + ", " + centerY + ")";
     }
 }

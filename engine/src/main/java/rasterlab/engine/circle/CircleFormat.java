@@ -41,7 +41,7 @@ final class CircleFormat extends ArcFormat<CircleRasterizer, Circle> {
     @Override
     protected Given given(Circle c) {
         return new Given()
-                .with(CENTER, new int[] {c.centreX(), c.centreY()})
+                .with(CENTER, new int[] {c.centerX(), c.centerY()})
                 .with(RADIUS, c.radius());
     }
 

@@ -58,44 +58,44 @@ final class CircleMutants {
                         "decided-after-the-step", "off-the-diagonal", CircleMutants::afterTheStep));
     }
 
-    private static void axesTwice(int centreX, int centreY, int radius, Pixels out) {
+    private static void axesTwice(int centerX, int centerY, int radius, Pixels out) {
         RIGHT.draw(
-                centreX,
-                centreY,
+                centerX,
+                centerY,
                 radius,
                 (x, y) -> {
                     out.plot(x, y);
-                    if (radius > 0 && (x == centreX || y == centreY)) out.plot(x, y);
+                    if (radius > 0 && (x == centerX || y == centerY)) out.plot(x, y);
                 });
     }
 
-    private static void cornerTwice(int centreX, int centreY, int radius, Pixels out) {
+    private static void cornerTwice(int centerX, int centerY, int radius, Pixels out) {
         RIGHT.draw(
-                centreX,
-                centreY,
+                centerX,
+                centerY,
                 radius,
                 (x, y) -> {
                     out.plot(x, y);
-                    if (radius > 0 && Math.abs(x - centreX) == Math.abs(y - centreY))
+                    if (radius > 0 && Math.abs(x - centerX) == Math.abs(y - centerY))
                         out.plot(x, y);
                 });
     }
 
-    private static void withoutCorner(int centreX, int centreY, int radius, Pixels out) {
+    private static void withoutCorner(int centerX, int centerY, int radius, Pixels out) {
         RIGHT.draw(
-                centreX,
-                centreY,
+                centerX,
+                centerY,
                 radius,
                 (x, y) -> {
-                    if (radius == 0 || Math.abs(x - centreX) != Math.abs(y - centreY))
+                    if (radius == 0 || Math.abs(x - centerX) != Math.abs(y - centerY))
                         out.plot(x, y);
                 });
     }
 
     /** Draws an octant by the root that gives the row for a column, and mirrors it. */
     static CircleRasterizer byRoots(IntBinaryOperator root) {
-        return (centreX, centreY, radius, out) -> {
-            Mirror mirror = Mirror.about(centreX, centreY, radius, radius, out);
+        return (centerX, centerY, radius, out) -> {
+            Mirror mirror = Mirror.about(centerX, centerY, radius, radius, out);
             for (int u = 0; ; u++) {
                 int v = root.applyAsInt(radius, u);
                 if (u > v) return;
@@ -104,8 +104,8 @@ final class CircleMutants {
         };
     }
 
-    private static void columnsOnly(int centreX, int centreY, int radius, Pixels out) {
-        Mirror mirror = Mirror.about(centreX, centreY, radius, radius, out);
+    private static void columnsOnly(int centerX, int centerY, int radius, Pixels out) {
+        Mirror mirror = Mirror.about(centerX, centerY, radius, radius, out);
         for (int u = 0; u <= radius; u++) {
             double square = (double) radius * radius - (double) u * u;
             mirror.four(u, (int) Math.rint(Math.sqrt(square)));
@@ -113,22 +113,22 @@ final class CircleMutants {
     }
 
     /** Leaves out the mirror images across the diagonals. */
-    private static void fourOctants(int centreX, int centreY, int radius, Pixels out) {
+    private static void fourOctants(int centerX, int centerY, int radius, Pixels out) {
         RIGHT.draw(
-                centreX,
-                centreY,
+                centerX,
+                centerY,
                 radius,
                 (x, y) -> {
-                    if (Math.abs(x - centreX) <= Math.abs(y - centreY)) out.plot(x, y);
+                    if (Math.abs(x - centerX) <= Math.abs(y - centerY)) out.plot(x, y);
                 });
     }
 
-    private static void byDegrees(int centreX, int centreY, int radius, Pixels out) {
+    private static void byDegrees(int centerX, int centerY, int radius, Pixels out) {
         var drawn = new HashSet<List<Integer>>();
         for (int degree = 0; degree < 360; degree++) {
             double angle = Math.toRadians(degree);
-            int x = (int) Math.round(centreX + radius * Math.cos(angle));
-            int y = (int) Math.round(centreY + radius * Math.sin(angle));
+            int x = (int) Math.round(centerX + radius * Math.cos(angle));
+            int y = (int) Math.round(centerY + radius * Math.sin(angle));
             if (drawn.add(List.of(x, y))) out.plot(x, y);
         }
     }
@@ -136,8 +136,8 @@ final class CircleMutants {
     /**
      * The decision of Bresenham's textbook form, with the place after the step in place of before.
      */
-    private static void afterTheStep(int centreX, int centreY, int radius, Pixels out) {
-        Mirror mirror = Mirror.about(centreX, centreY, radius, radius, out);
+    private static void afterTheStep(int centerX, int centerY, int radius, Pixels out) {
+        Mirror mirror = Mirror.about(centerX, centerY, radius, radius, out);
         int v = radius;
         int decision = 3 - 2 * radius;
         for (int u = 0; u <= v; ) {

@@ -51,7 +51,7 @@ public final class CircleTopic extends ArcTopic<CircleRasterizer, Circle> {
 
     @Override
     void draw(CircleRasterizer method, Circle c, Pixels out) {
-        method.draw(c.centreX(), c.centreY(), c.radius(), out);
+        method.draw(c.centerX(), c.centerY(), c.radius(), out);
     }
 
     @Override
@@ -63,7 +63,7 @@ public final class CircleTopic extends ArcTopic<CircleRasterizer, Circle> {
 
     @Override
     Ellipse ellipse(Circle c) {
-        return new Ellipse(c.centreX(), c.centreY(), c.radius(), c.radius());
+        return new Ellipse(c.centerX(), c.centerY(), c.radius(), c.radius());
     }
 
     @Override

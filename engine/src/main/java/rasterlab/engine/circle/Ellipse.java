@@ -3,7 +3,7 @@ package rasterlab.engine.circle;
 /**
  * An ellipse in whole pixels, its axes along rows and columns: an input of topic {@code ellipse}.
  */
-public record Ellipse(int centreX, int centreY, int radiusX, int radiusY) {
+public record Ellipse(int centerX, int centerY, int radiusX, int radiusY) {
     @Override
     public String toString() {
         return "half-axes "
@@ -11,9 +11,9 @@ public record Ellipse(int centreX, int centreY, int radiusX, int radiusY) {
                 + ", "
                 + radiusY
                 + " about ("
-                + centreX
+                + centerX
                 + ", "
-                + centreY
+                + centerY
                 + ")";
     }
 }

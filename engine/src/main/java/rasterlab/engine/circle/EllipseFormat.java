@@ -44,7 +44,7 @@ final class EllipseFormat extends ArcFormat<EllipseRasterizer, Ellipse> {
     @Override
     protected Given given(Ellipse e) {
         return new Given()
-                .with(CENTER, new int[] {e.centreX(), e.centreY()})
+                .with(CENTER, new int[] {e.centerX(), e.centerY()})
                 .with(RX, e.radiusX())
                 .with(RY, e.radiusY());
     }

@@ -51,7 +51,7 @@ public final class EllipseTopic extends ArcTopic<EllipseRasterizer, Ellipse> {
 
     @Override
     void draw(EllipseRasterizer method, Ellipse e, Pixels out) {
-        method.draw(e.centreX(), e.centreY(), e.radiusX(), e.radiusY(), out);
+        method.draw(e.centerX(), e.centerY(), e.radiusX(), e.radiusY(), out);
     }
 
     @Override

@@ -25,13 +25,13 @@ public final class ExactEllipse {
     }
 
     /** Sends all pixels of the ellipse about (centreX, centreY), each once. */
-    public void draw(int centreX, int centreY, Pixels out) {
+    public void draw(int centerX, int centerY, Pixels out) {
         quadrant(
                 (u, v) -> {
-                    out.plot(centreX + u, centreY + v);
-                    if (u > 0) out.plot(centreX - u, centreY + v);
-                    if (v > 0) out.plot(centreX + u, centreY - v);
-                    if (u > 0 && v > 0) out.plot(centreX - u, centreY - v);
+                    out.plot(centerX + u, centerY + v);
+                    if (u > 0) out.plot(centerX - u, centerY + v);
+                    if (v > 0) out.plot(centerX + u, centerY - v);
+                    if (u > 0 && v > 0) out.plot(centerX - u, centerY - v);
                 });
     }
 

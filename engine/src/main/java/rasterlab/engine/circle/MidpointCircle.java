@@ -24,10 +24,10 @@ import rasterlab.engine.raster.Work;
  */
 public final class MidpointCircle implements SteppedCircle {
     @Override
-    public void draw(int centreX, int centreY, int radius, Pixels out) {
-        Mirror.requireRoom(centreX, centreY, radius, radius);
+    public void draw(int centerX, int centerY, int radius, Pixels out) {
+        Mirror.requireRoom(centerX, centerY, radius, radius);
         var walk = new Walk(radius);
-        while (walk.advance()) plotEight(centreX, centreY, walk.u, walk.v, out);
+        while (walk.advance()) plotEight(centerX, centerY, walk.u, walk.v, out);
     }
 
     /** Plots a pixel of the octant and its mirror images, of which some coincide, each once. */

@@ -30,8 +30,8 @@ public final class MidpointEllipse implements SteppedEllipse {
     public static final int LARGEST = 1 << 19;
 
     @Override
-    public void draw(int centreX, int centreY, int radiusX, int radiusY, Pixels out) {
-        var mirror = Mirror.about(centreX, centreY, radiusX, radiusY, out);
+    public void draw(int centerX, int centerY, int radiusX, int radiusY, Pixels out) {
+        var mirror = Mirror.about(centerX, centerY, radiusX, radiusY, out);
         var walk = new Walk(radiusX, radiusY);
         while (walk.advance()) mirror.four(walk.u, walk.v);
     }

@@ -20,7 +20,7 @@ import rasterlab.engine.study.Topic;
 /** Colours from outside: one in any of the models; the same in all of them out. */
 final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
     private static final List<ColorModel> MODELS = List.of(ColorModel.values());
-    private static final List<Field<double[]>> COLOURS =
+    private static final List<Field<double[]>> COLORS =
             MODELS.stream().map(each -> Field.optional(each.code(), new ColorShape(each))).toList();
     private static final Field<?> LEVELS =
             Field.required("levels", Shape.list("levels", Shape.whole(0, 255), 3, 3));
@@ -84,12 +84,12 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
 
     @Override
     public List<Field<?>> input() {
-        return List.copyOf(COLOURS);
+        return List.copyOf(COLORS);
     }
 
     @Override
     protected List<List<Field<?>>> groups() {
-        return COLOURS.stream().<List<Field<?>>>map(List::of).toList();
+        return COLORS.stream().<List<Field<?>>>map(List::of).toList();
     }
 
     @Override
@@ -140,23 +140,23 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
                             + ", got "
                             + (models.isEmpty() ? "none" : models.size() + " of them"));
         ColorModel model = models.get(0);
-        return Colors.of(model, given.get(COLOURS.get(MODELS.indexOf(model))));
+        return Colors.of(model, given.get(COLORS.get(MODELS.indexOf(model))));
     }
 
     @Override
-    protected Given given(Colors colour) {
-        if (colour.count() > 1)
+    protected Given given(Colors color) {
+        if (color.count() > 1)
             throw new IllegalArgumentException(
-                    "one colour is told at a time, got " + colour.count());
-        ColorModel model = colour.model();
-        return new Given().with(COLOURS.get(MODELS.indexOf(model)), colour.components());
+                    "one colour is told at a time, got " + color.count());
+        ColorModel model = color.model();
+        return new Given().with(COLORS.get(MODELS.indexOf(model)), color.components());
     }
 
     /** {@inheritDoc} One for each colour. */
     @Override
-    public List<Colors> singles(Colors colours) {
-        return IntStream.range(0, colours.count())
-                .mapToObj(i -> Colors.of(colours.model(), colours.colour(i)))
+    public List<Colors> singles(Colors colors) {
+        return IntStream.range(0, colors.count())
+                .mapToObj(i -> Colors.of(colors.model(), colors.color(i)))
                 .toList();
     }
 

@@ -17,7 +17,7 @@ final class ColorHazards {
     private ColorHazards() {}
 
     static List<Hazard<Colors>> all() {
-        return Stream.of(corners(), greys(), ranges()).flatMap(List::stream).toList();
+        return Stream.of(corners(), grays(), ranges()).flatMap(List::stream).toList();
     }
 
     private static List<Hazard<Colors>> corners() {
@@ -62,7 +62,7 @@ final class ColorHazards {
                         EXACT));
     }
 
-    private static List<Hazard<Colors>> greys() {
+    private static List<Hazard<Colors>> grays() {
         return List.of(
                 hazard("grey", Colors.of(ColorModel.RGB, 0.6, 0.6, 0.6), WRONG, EXACT, EXACT),
                 hazard(

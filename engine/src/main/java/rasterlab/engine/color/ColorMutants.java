@@ -25,8 +25,8 @@ final class ColorMutants {
                                 from == to
                                         ? components.clone()
                                         : RIGHT.convert(from, components, to)),
-                new Mutant<>("grey-has-hue-0", "grey", ColorMutants::greyIsRed),
-                new Mutant<>("nearly-grey-is-grey", "nearly-grey", ColorMutants::nearlyGrey),
+                new Mutant<>("grey-has-hue-0", "grey", ColorMutants::grayIsRed),
+                new Mutant<>("nearly-grey-is-grey", "nearly-grey", ColorMutants::nearlyGray),
                 new Mutant<>("black-divides-by-0", "black", ColorMutants::blackByDivision),
                 new Mutant<>("cut-to-bytes", "between-levels", ColorMutants::bytes),
                 new Mutant<>(
@@ -71,13 +71,13 @@ final class ColorMutants {
                 : RIGHT.convert(from, components, to);
     }
 
-    private static double[] greyIsRed(ColorModel from, double[] components, ColorModel to) {
+    private static double[] grayIsRed(ColorModel from, double[] components, ColorModel to) {
         double[] answer = RIGHT.convert(from, components, to);
         if (Double.isNaN(answer[0])) answer[0] = 0;
         return answer;
     }
 
-    private static double[] nearlyGrey(ColorModel from, double[] components, ColorModel to) {
+    private static double[] nearlyGray(ColorModel from, double[] components, ColorModel to) {
         double[] rgb = RIGHT.convert(from, components, ColorModel.RGB);
         double[] sorted = rgb.clone();
         Arrays.sort(sorted);

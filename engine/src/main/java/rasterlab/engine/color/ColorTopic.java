@@ -92,9 +92,9 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
         for (ColorModel to : ColorModel.values()) {
             var all = new double[count * to.size()];
             for (int i = 0; i < count; i++) {
-                double[] given = colors.colour(i);
+                double[] given = colors.color(i);
                 double[] one = method.convert(colors.model(), given, to);
-                double[] again = method.convert(colors.model(), colors.colour(i), to);
+                double[] again = method.convert(colors.model(), colors.color(i), to);
                 SharedAnswer.requireNew(one, given, again);
                 WrongLength.require(to.size(), one.length, "numbers of " + to.code());
                 System.arraycopy(one, 0, all, i * to.size(), to.size());
@@ -109,9 +109,9 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
     public long spend(ColorConverter method, Colors colors) {
         long numbers = 0;
         for (int i = 0; i < colors.count(); i++) {
-            double[] colour = colors.colour(i);
+            double[] color = colors.color(i);
             for (ColorModel to : ColorModel.values())
-                numbers += method.convert(colors.model(), colour, to).length;
+                numbers += method.convert(colors.model(), color, to).length;
         }
         return numbers > 0 ? colors.count() : 0;
     }

@@ -14,11 +14,11 @@ final class ColorWorkloads {
 
     static List<Workload<Colors>> all() {
         var workloads = new ArrayList<Workload<Colors>>();
-        for (int count : new int[] {1, 16, 256}) workloads.add(colours(count));
+        for (int count : new int[] {1, 16, 256}) workloads.add(colors(count));
         return workloads;
     }
 
-    private static Workload<Colors> colours(int count) {
+    private static Workload<Colors> colors(int count) {
         var random = new Random(SEED + count);
         var components = new double[3 * count];
         for (int i = 0; i < components.length; i++)

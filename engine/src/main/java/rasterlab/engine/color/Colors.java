@@ -28,7 +28,7 @@ public record Colors(ColorModel model, double[] components) {
     }
 
     /** The numbers of colour {@code index}. */
-    double[] colour(int index) {
+    double[] color(int index) {
         return Arrays.copyOfRange(components, index * model.size(), (index + 1) * model.size());
     }
 

@@ -20,9 +20,9 @@ final class Components {
             throw new IllegalArgumentException(
                     "%s has %d numbers, got %d"
                             .formatted(model.code(), model.size(), components.length));
-        boolean grey = model.saturation() >= 0 && components[model.saturation()] == 0;
+        boolean gray = model.saturation() >= 0 && components[model.saturation()] == 0;
         for (int i = 0; i < components.length; i++)
-            if (!(grey && model.isHue(i)) && !inRange(model, i, components[i]))
+            if (!(gray && model.isHue(i)) && !inRange(model, i, components[i]))
                 throw new IllegalArgumentException(
                         "%s %s must be from 0 to %s, got %s"
                                 .formatted(

@@ -22,11 +22,11 @@ final class ExactColors {
     private ExactColors() {}
 
     static double[] convert(ColorModel from, double[] components, ColorModel to) {
-        boolean grey = from.saturation() >= 0 && components[from.saturation()] == 0;
+        boolean gray = from.saturation() >= 0 && components[from.saturation()] == 0;
         for (int i = 0; i < components.length; i++)
-            if (!(grey && from.isHue(i)) && !Components.inRange(from, i, components[i]))
+            if (!(gray && from.isHue(i)) && !Components.inRange(from, i, components[i]))
                 return none(to);
-        BigDecimal[] rgb = toRgb(from, components, grey);
+        BigDecimal[] rgb = toRgb(from, components, gray);
         for (int i = 0; i < 3; i++) {
             if (rgb[i].compareTo(ROUNDING.negate()) < 0 || rgb[i].compareTo(ONE.add(ROUNDING)) > 0)
                 return none(to);
@@ -41,10 +41,10 @@ final class ExactColors {
         return none;
     }
 
-    private static BigDecimal[] toRgb(ColorModel from, double[] components, boolean grey) {
+    private static BigDecimal[] toRgb(ColorModel from, double[] components, boolean gray) {
         var given = new BigDecimal[components.length];
         for (int i = 0; i < given.length; i++)
-            given[i] = grey && from.isHue(i) ? BigDecimal.ZERO : new BigDecimal(components[i]);
+            given[i] = gray && from.isHue(i) ? BigDecimal.ZERO : new BigDecimal(components[i]);
         return switch (from) {
             case RGB -> given;
             case CMY -> less(ONE, given, ONE);
@@ -128,8 +128,8 @@ final class ExactColors {
         for (BigDecimal share : rgb) squares = squares.add(share.multiply(share));
         BigDecimal off = squares.subtract(sum.multiply(sum).divide(THREE, new MathContext(2000)));
         double value = sum.divide(ROOT_3, DIGITS).doubleValue();
-        boolean grey = rgb[0].compareTo(rgb[1]) == 0 && rgb[1].compareTo(rgb[2]) == 0;
-        if (grey) return new double[] {Double.NaN, value, 0};
+        boolean gray = rgb[0].compareTo(rgb[1]) == 0 && rgb[1].compareTo(rgb[2]) == 0;
+        if (gray) return new double[] {Double.NaN, value, 0};
         BigDecimal across = ROOT_3.multiply(rgb[1].subtract(rgb[2]));
         BigDecimal along = rgb[0].add(rgb[0]).subtract(rgb[1]).subtract(rgb[2]);
         return new double[] {

@@ -37,7 +37,7 @@ public final class FormulaColors implements ColorConverter {
             case CMY -> Inks.cmyToRgb(components);
             case CMYK -> Inks.cmykToRgb(components);
             case HSV -> Hexcone.toRgb(components);
-            case HVS -> GreyDiagonal.toRgb(components);
+            case HVS -> GrayDiagonal.toRgb(components);
         };
     }
 
@@ -47,7 +47,7 @@ public final class FormulaColors implements ColorConverter {
             case CMY -> Inks.cmyFromRgb(rgb);
             case CMYK -> Inks.cmykFromRgb(rgb);
             case HSV -> Hexcone.fromRgb(rgb);
-            case HVS -> GreyDiagonal.fromRgb(rgb);
+            case HVS -> GrayDiagonal.fromRgb(rgb);
         };
     }
 }

@@ -15,17 +15,17 @@ final class ExactSeedFill {
 
     ExactSeedFill(FillTask task) {
         this.task = task;
-        int[][] colours =
+        int[][] colors =
                 task.rows().stream().map(r -> r.codePoints().toArray()).toArray(int[][]::new);
-        boolean inside = task.y() >= 0 && task.y() < colours.length;
-        inside = inside && task.x() >= 0 && task.x() < colours[task.y()].length;
-        changes = inside && colours[task.y()][task.x()] != task.with();
+        boolean inside = task.y() >= 0 && task.y() < colors.length;
+        inside = inside && task.x() >= 0 && task.x() < colors[task.y()].length;
+        changes = inside && colors[task.y()][task.x()] != task.with();
         reach = task.connectivity() == 8 ? 2 : 1;
-        open = new boolean[colours.length][];
-        for (int y = 0; y < colours.length; y++) {
-            open[y] = new boolean[colours[y].length];
+        open = new boolean[colors.length][];
+        for (int y = 0; y < colors.length; y++) {
+            open[y] = new boolean[colors[y].length];
             for (int x = 0; x < open[y].length && changes; x++)
-                open[y][x] = colours[y][x] == colours[task.y()][task.x()];
+                open[y][x] = colors[y][x] == colors[task.y()][task.x()];
         }
     }
 

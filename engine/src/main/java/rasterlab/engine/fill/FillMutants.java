@@ -53,7 +53,7 @@ final class FillMutants {
                                     if (picture.read(u, v) == '#') picture.write(u, v, '+');
                         }),
                 new Mutant<>("rim-left-out", "last-column-behind", FillMutants::withoutRim),
-                new Mutant<>("any-colour-filled", "hole", FillMutants::anyColour),
+                new Mutant<>("any-colour-filled", "hole", FillMutants::anyColor),
                 new Mutant<>("seed-left-out", "one-pixel", FillMutants::withoutSeed),
                 new Mutant<>(
                         "seed-row-only",
@@ -130,7 +130,7 @@ final class FillMutants {
     /**
      * Goes on over every colour but the new one, as a fill up to an outline of that colour does.
      */
-    private static void anyColour(PixelGrid picture, int x, int y, int with, int connectivity) {
+    private static void anyColor(PixelGrid picture, int x, int y, int with, int connectivity) {
         if (picture.read(x, y) == with) return;
         picture.write(x, y, with);
         var waiting = new ArrayDeque<int[]>();
@@ -184,9 +184,9 @@ final class FillMutants {
         }
 
         @Override
-        public void write(int u, int v, int colour) {
-            if (u == x && v == y) seen = colour;
-            else picture.write(u, v, colour);
+        public void write(int u, int v, int color) {
+            if (u == x && v == y) seen = color;
+            else picture.write(u, v, color);
         }
     }
 }

@@ -121,8 +121,8 @@ final class FillSlips {
         }
 
         @Override
-        public void write(int x, int y, int colour) {
-            whole.write(x + first, y + first, colour);
+        public void write(int x, int y, int color) {
+            whole.write(x + first, y + first, color);
         }
     }
 }

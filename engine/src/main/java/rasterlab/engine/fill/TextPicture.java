@@ -39,8 +39,8 @@ public final class TextPicture implements PixelGrid {
     }
 
     @Override
-    public void write(int x, int y, int colour) {
-        cells[y][x] = colour;
+    public void write(int x, int y, int color) {
+        cells[y][x] = color;
     }
 
     /** The picture as rows of characters, top row first. */

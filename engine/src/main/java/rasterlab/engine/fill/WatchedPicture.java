@@ -35,10 +35,10 @@ public final class WatchedPicture implements PixelGrid {
     }
 
     @Override
-    public void write(int x, int y, int colour) {
+    public void write(int x, int y, int color) {
         onWrite.plot(x, y);
         writes++;
-        picture.write(x, y, colour);
+        picture.write(x, y, color);
     }
 
     /** Number of pixels read so far, each as often as it was read. */

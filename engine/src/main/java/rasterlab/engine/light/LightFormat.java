@@ -76,7 +76,7 @@ public final class LightFormat {
     /** A colour. */
     private static final class Shares extends EitherShape<double[]> {
         private static final Shape<double[]> THREE = Shape.numbers(3, 3);
-        private final Shape<Double> grey;
+        private final Shape<Double> gray;
 
         /**
          * @param highest grey that is read
@@ -84,13 +84,13 @@ public final class LightFormat {
          */
         Shares(double highest, double told) {
             super(Shape.toldNumbers(3, 0, told), Shape.number(0, told));
-            grey = Shape.number(0, highest);
+            gray = Shape.number(0, highest);
         }
 
         @Override
         public double[] read(ValueSource in) throws IOException {
             if (in.startsArray()) return THREE.read(in);
-            double share = grey.read(in);
+            double share = gray.read(in);
             return new double[] {share, share, share};
         }
 

@@ -16,9 +16,8 @@ public record Material(SurfaceMaterial surface, double alpha) {
 
     /** A dull opaque surface that sends back so much ambient and diffuse light. */
     public static Material dull(double red, double green, double blue) {
-        double[] colour = {red, green, blue};
-        return new Material(
-                new SurfaceMaterial(colour, colour, new double[3], new double[3], 0), 1);
+        double[] color = {red, green, blue};
+        return new Material(new SurfaceMaterial(color, color, new double[3], new double[3], 0), 1);
     }
 
     /** The same with white highlights. */

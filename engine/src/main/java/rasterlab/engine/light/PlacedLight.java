@@ -28,13 +28,13 @@ final class PlacedLight {
         attenuation = source.attenuation();
         directional = light.directional();
         double[] place = {light.x(), light.y(), light.z()};
-        if (directional) UnitVector.normalise(place);
+        if (directional) UnitVector.normalize(place);
         x = place[0];
         y = place[1];
         z = place[2];
         coned = !source.cone().shinesAllAround();
         double[] axis = source.cone().direction().clone();
-        UnitVector.normalise(axis);
+        UnitVector.normalize(axis);
         coneX = axis[0];
         coneY = axis[1];
         coneZ = axis[2];

@@ -152,7 +152,7 @@ public final class PointLighting {
      *
      * @param rgba holds the four shares of its own, receives the colour
      */
-    public void shadeColoured(
+    public void shadeColored(
             double x,
             double y,
             double z,

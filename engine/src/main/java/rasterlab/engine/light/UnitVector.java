@@ -11,7 +11,7 @@ public final class UnitVector {
      * @param vector finite
      * @return false for (0, 0, 0), which stays so
      */
-    public static boolean normalise(double[] vector) {
+    public static boolean normalize(double[] vector) {
         double largest =
                 Math.max(Math.abs(vector[0]), Math.max(Math.abs(vector[1]), Math.abs(vector[2])));
         if (largest == 0) return false;

@@ -25,18 +25,18 @@ public enum PixelMark {
     /** Vermillion (Okabe and Ito, 2008); nothing but a wrong pixel has it. Opaque, 0xAARRGGBB. */
     public static final int ARGB = 0xFFD55E00;
 
-    public static final Color COLOUR = new Color(ARGB);
+    public static final Color COLOR = new Color(ARGB);
 
     /** Draws the mark into the square with its upper left corner at (x, y), in view units. */
     public void paint(Graphics2D g, double x, double y, double size) {
         float width = (float) Math.max(1.2, size * 0.12);
         double inset = size * 0.22;
         outline(g, x + inset, y + inset, size - 2 * inset, width + 2.4f, Color.WHITE);
-        outline(g, x + inset, y + inset, size - 2 * inset, width, COLOUR);
+        outline(g, x + inset, y + inset, size - 2 * inset, width, COLOR);
     }
 
-    private void outline(Graphics2D g, double x, double y, double size, float width, Color colour) {
-        g.setColor(colour);
+    private void outline(Graphics2D g, double x, double y, double size, float width, Color color) {
+        g.setColor(color);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         switch (this) {
             case MISSING -> g.draw(new Ellipse2D.Double(x, y, size, size));

@@ -70,7 +70,7 @@ public final class Raster {
     }
 
     /** Gives every pixel one colour, 0xAARRGGBB. */
-    public void clear(int colour) {
-        Arrays.fill(argb, colour);
+    public void clear(int color) {
+        Arrays.fill(argb, color);
     }
 }

@@ -34,9 +34,9 @@ public final class House {
 
     /** The faces about the middle of the bounding box, {@link #SCALE} times as large. */
     public static Mesh mesh() {
-        double[] centre = {4, 3, 4.5};
+        double[] center = {4, 3, 4.5};
         double[] xyz = vertices();
-        for (int i = 0; i < xyz.length; i++) xyz[i] = SCALE * (xyz[i] - centre[i % 3]);
+        for (int i = 0; i < xyz.length; i++) xyz[i] = SCALE * (xyz[i] - center[i % 3]);
         int[][] faces = {
             {0, 3, 2, 1},
             {1, 2, 6, 5},

@@ -95,11 +95,11 @@ public record Scene(
             int backgroundRgb,
             SphericalView defaultCamera,
             double pictureScale) {
-        int[] colours = Arrays.stream(faceRgb).distinct().toArray();
-        List<Appearance> finishes = Arrays.stream(colours).mapToObj(Appearance::dull).toList();
+        int[] colors = Arrays.stream(faceRgb).distinct().toArray();
+        List<Appearance> finishes = Arrays.stream(colors).mapToObj(Appearance::dull).toList();
         int[] finishOf =
                 Arrays.stream(faceRgb)
-                        .map(rgb -> Arrays.stream(colours).boxed().toList().indexOf(rgb))
+                        .map(rgb -> Arrays.stream(colors).boxed().toList().indexOf(rgb))
                         .toArray();
         return new Scene(
                 name,

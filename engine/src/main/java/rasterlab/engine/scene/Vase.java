@@ -28,7 +28,7 @@ public final class Vase {
     public static final double THETA_STEP = 0.03 * Math.PI;
 
     private static final double HEIGHT = 250;
-    private static final int CENTRE = MERIDIANS * PARALLELS;
+    private static final int CENTER = MERIDIANS * PARALLELS;
 
     private Vase() {}
 
@@ -60,7 +60,7 @@ public final class Vase {
     private static double[] vertices() {
         int[] radii = radii();
         double[] heights = heights();
-        double[] xyz = new double[3 * (CENTRE + 1)];
+        double[] xyz = new double[3 * (CENTER + 1)];
         for (int b = 0; b < PARALLELS; b++)
             for (int l = 0; l < MERIDIANS; l++) {
                 double longitude = 2 * Math.PI * l / MERIDIANS;
@@ -69,7 +69,7 @@ public final class Vase {
                 xyz[at + 1] = radii[b] * Math.cos(longitude);
                 xyz[at + 2] = heights[b];
             }
-        xyz[3 * CENTRE + 2] = -HEIGHT / 2;
+        xyz[3 * CENTER + 2] = -HEIGHT / 2;
         return xyz;
     }
 
@@ -84,7 +84,7 @@ public final class Vase {
                 faces[low + l] = new int[] {high + next, low + next, low + l, high + l};
             }
         for (int l = 0; l < MERIDIANS; l++)
-            faces[sides + l] = new int[] {CENTRE, l, (l + 1) % MERIDIANS};
+            faces[sides + l] = new int[] {CENTER, l, (l + 1) % MERIDIANS};
         return faces;
     }
 }

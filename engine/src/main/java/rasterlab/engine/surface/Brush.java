@@ -12,7 +12,7 @@ public interface Brush {
     int CLEAR = 0;
 
     /** The colour of pixel (x, y), 0xAARRGGBB, or {@link #CLEAR}; any int is a place. */
-    int colour(int x, int y);
+    int color(int x, int y);
 
     /** One colour everywhere. */
     static Brush solid(int argb) {
@@ -63,8 +63,8 @@ public interface Brush {
     /** This brush, and where it leaves pixels as they are, the other. */
     default Brush over(Brush other) {
         return (x, y) -> {
-            int colour = colour(x, y);
-            return colour == CLEAR ? other.colour(x, y) : colour;
+            int color = color(x, y);
+            return color == CLEAR ? other.color(x, y) : color;
         };
     }
 

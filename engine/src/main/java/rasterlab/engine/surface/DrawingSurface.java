@@ -26,8 +26,8 @@ public final class DrawingSurface {
                 picture.height(),
                 (row, from, to) -> {
                     for (int column = from; column < to; column++) {
-                        int colour = brush.colour(column, row);
-                        if (colour != Brush.CLEAR) cells[row * width + column] = colour;
+                        int color = brush.color(column, row);
+                        if (color != Brush.CLEAR) cells[row * width + column] = color;
                     }
                 });
     }

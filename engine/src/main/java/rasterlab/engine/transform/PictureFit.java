@@ -48,28 +48,28 @@ public record PictureFit(int width, int height, double pixelsPerUnit, double eye
     }
 
     /** c1: the column of the object's centre. */
-    public int centreX() {
+    public int centerX() {
         return width / 2;
     }
 
     /** c2: the row of the object's centre. */
-    public int centreY() {
+    public int centerY() {
         return height / 2;
     }
 
     public double toPixelX(double planeX) {
-        return centreX() + pixelsPerUnit * (planeX + eyeX);
+        return centerX() + pixelsPerUnit * (planeX + eyeX);
     }
 
     public double toPixelY(double planeY) {
-        return centreY() - pixelsPerUnit * planeY;
+        return centerY() - pixelsPerUnit * planeY;
     }
 
     public double toPlaneX(double pixelX) {
-        return (pixelX - centreX()) / pixelsPerUnit - eyeX;
+        return (pixelX - centerX()) / pixelsPerUnit - eyeX;
     }
 
     public double toPlaneY(double pixelY) {
-        return (centreY() - pixelY) / pixelsPerUnit;
+        return (centerY() - pixelY) / pixelsPerUnit;
     }
 }

@@ -33,7 +33,7 @@ public final class VanishingPoints {
     }
 
     /** The point of an axis with H = 0, from which points parallel to that axis are projected. */
-    public static Optional<Vector3d> centre(Matrix4d projection, int axis) {
+    public static Optional<Vector3d> center(Matrix4d projection, int axis) {
         double along = projection.getColumn(checked(axis), new Vector4d()).w;
         double constant = projection.getColumn(3, new Vector4d()).w;
         if (along == 0) return Optional.empty();

@@ -37,8 +37,8 @@ public final class NearnessPlane {
         perRow = -perUnitY / fit.pixelsPerUnit();
         base =
                 middle
-                        + perUnitX * fit.toPlaneX(PixelPoint.RIGHT_OF_CENTRE)
-                        + perUnitY * fit.toPlaneY(PixelPoint.BELOW_CENTRE);
+                        + perUnitX * fit.toPlaneX(PixelPoint.RIGHT_OF_CENTER)
+                        + perUnitY * fit.toPlaneY(PixelPoint.BELOW_CENTER);
         double inPicture =
                 Math.abs(base)
                         + Math.abs(perColumn) * fit.width()

@@ -6,10 +6,10 @@ package rasterlab.engine.visibility;
  */
 public final class PixelPoint {
     /** Pixels from the centre to the right. */
-    public static final double RIGHT_OF_CENTRE = 0x1p-20;
+    public static final double RIGHT_OF_CENTER = 0x1p-20;
 
     /** Pixels from the centre down. */
-    public static final double BELOW_CENTRE = 0x1p-30;
+    public static final double BELOW_CENTER = 0x1p-30;
 
     private PixelPoint() {}
 }

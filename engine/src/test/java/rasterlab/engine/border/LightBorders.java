@@ -71,8 +71,8 @@ final class LightBorders {
     private static double cosine(double[] a, double[] b) {
         double[] one = a.clone();
         double[] other = b.clone();
-        UnitVector.normalise(one);
-        UnitVector.normalise(other);
+        UnitVector.normalize(one);
+        UnitVector.normalize(other);
         return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
     }
 
@@ -169,7 +169,7 @@ final class LightBorders {
         var units = new double[9];
         for (int i = 0; i < 9; i += 3) {
             double[] one = {three[i], three[i + 1], three[i + 2]};
-            UnitVector.normalise(one);
+            UnitVector.normalize(one);
             System.arraycopy(one, 0, units, i, 3);
         }
         return units;

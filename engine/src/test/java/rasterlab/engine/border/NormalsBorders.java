@@ -72,7 +72,7 @@ final class NormalsBorders {
         double length = UnitVector.length(edge);
         if (length == 0 || length < LEAST * largest)
             throw new IllegalArgumentException("corners too close to each other");
-        UnitVector.normalise(edge);
+        UnitVector.normalize(edge);
         return edge;
     }
 }

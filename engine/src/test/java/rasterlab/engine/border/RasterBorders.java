@@ -59,16 +59,16 @@ final class RasterBorders {
 
     private static Circle circle(Draws draws) {
         int radius = draws.whole(0, LARGEST_RADIUS);
-        return new Circle(centre(draws, radius), centre(draws, radius), radius);
+        return new Circle(center(draws, radius), center(draws, radius), radius);
     }
 
     private static Ellipse ellipse(Draws draws) {
         int radiusX = draws.whole(0, LARGEST_RADIUS);
         int radiusY = draws.whole(0, LARGEST_RADIUS);
-        return new Ellipse(centre(draws, radiusX), centre(draws, radiusY), radiusX, radiusY);
+        return new Ellipse(center(draws, radiusX), center(draws, radiusY), radiusX, radiusY);
     }
 
-    private static int centre(Draws draws, int radius) {
+    private static int center(Draws draws, int radius) {
         return draws.whole(Integer.MIN_VALUE + radius, Integer.MAX_VALUE - radius);
     }
 

@@ -16,7 +16,7 @@ class ColorPropertyTest {
     private static final ColorTopic TOPIC = new ColorTopic();
 
     @Provide
-    Arbitrary<Colors> colours() {
+    Arbitrary<Colors> colors() {
         return Arbitraries.of(ColorModel.values())
                 .flatMap(
                         model ->
@@ -36,15 +36,15 @@ class ColorPropertyTest {
     }
 
     @Property(tries = 2000)
-    void formulaIsExactOrOutsideTheCube(@ForAll("colours") Colors colours) {
+    void formulaIsExactOrOutsideTheCube(@ForAll("colors") Colors colors) {
         ColorSheet actual;
         try {
-            actual = TOPIC.record(new FormulaColors(), colours, 1);
+            actual = TOPIC.record(new FormulaColors(), colors, 1);
         } catch (IllegalArgumentException refusal) {
-            assertTrue(colours.model() == ColorModel.HVS, refusal.getMessage());
+            assertTrue(colors.model() == ColorModel.HVS, refusal.getMessage());
             return;
         }
-        Deviation deviation = TOPIC.compare(colours, TOPIC.exact(colours, 1), actual);
-        assertTrue(TOPIC.correct(deviation), () -> colours + " " + deviation);
+        Deviation deviation = TOPIC.compare(colors, TOPIC.exact(colors, 1), actual);
+        assertTrue(TOPIC.correct(deviation), () -> colors + " " + deviation);
     }
 }

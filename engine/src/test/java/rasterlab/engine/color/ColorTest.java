@@ -26,16 +26,16 @@ class ColorTest {
         for (int rgb = 0; rgb < 1 << 24; rgb += STRIDE) {
             double[] there = FORMULA.convert(ColorModel.RGB, Levels.shares(rgb), model);
             double[] back = FORMULA.convert(model, there, ColorModel.RGB);
-            int colour = rgb;
+            int color = rgb;
             assertEquals(
                     0xFF000000 | rgb,
                     Levels.rgb(back[0], back[1], back[2]),
-                    () -> "%06x in %s".formatted(colour, model.code()));
+                    () -> "%06x in %s".formatted(color, model.code()));
         }
     }
 
     @Test
-    void mostColoursAreLostInAHueOfEightBits() {
+    void mostColorsAreLostInAHueOfEightBits() {
         var bytes = new ByteColors();
         int lost = 0;
         int tried = 0;

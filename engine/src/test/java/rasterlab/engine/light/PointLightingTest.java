@@ -95,15 +95,15 @@ class PointLightingTest {
     }
 
     @Test
-    void vertexColourStandsForAmbientAndDiffuseShares() {
+    void vertexColorStandsForAmbientAndDiffuseShares() {
         var lighting = lighting(dark(SUN), RED);
         float[] rgba = {9, 0.2f, 0.4f, 0.6f, 0.8f};
-        lighting.shadeColoured(0, 0, 0, 0, 0, 1, false, rgba, 1);
+        lighting.shadeColored(0, 0, 0, 0, 0, 1, false, rgba, 1);
         assertArrayEquals(new float[] {9, 0.1f, 0.2f, 0.3f, 0.8f}, rgba, 1e-7f);
     }
 
     @Test
-    void packedColourIsTheSharesRounded() {
+    void packedColorIsTheSharesRounded() {
         var lighting = lighting(dark(SUN), new Material(RED.surface(), 0.25));
         assertEquals(0x40800000, lighting.argb(0, 0, 0, 0, 0, 1, false));
     }
@@ -139,8 +139,8 @@ class PointLightingTest {
     }
 
     private static LightSource light(double diffuse) {
-        double[] grey = {diffuse, diffuse, diffuse};
-        return new LightSource(new double[3], grey, grey, Attenuation.none(), SpotCone.none());
+        double[] gray = {diffuse, diffuse, diffuse};
+        return new LightSource(new double[3], gray, gray, Attenuation.none(), SpotCone.none());
     }
 
     private static LightModel dark(Light... lights) {

@@ -62,7 +62,7 @@ class FaceDrawingTest {
 
     @ParameterizedTest(name = "the history ends in another colour than the picture: {0}")
     @MethodSource("methods")
-    void lastColourIsThePicturesOwn(String method) {
+    void lastColorIsThePicturesOwn(String method) {
         FaceDrawing drawing = drawing("interpenetrating", method);
         Raster picture = whole("interpenetrating", method);
         for (int x = 5; x < WIDTH; x += 23)
@@ -79,10 +79,10 @@ class FaceDrawingTest {
     @ParameterizedTest(name = "a colour is lost between two touches: {0}")
     @ValueSource(strings = {"painter", "zfloat", "none", "bsp"})
     void eachTouchBeginsWhereTheLastEnded(String method) {
-        int colour = drawing("interpenetrating", method).backgroundArgb();
+        int color = drawing("interpenetrating", method).backgroundArgb();
         for (PixelTouch touch : drawing("interpenetrating", method).history(60, 45, () -> false)) {
-            assertEquals(colour, touch.before());
-            colour = touch.after();
+            assertEquals(color, touch.before());
+            color = touch.after();
         }
     }
 

@@ -67,8 +67,8 @@ class LookTest {
                         "layers",
                         new Mesh(xyz, squares).withTexture(all),
                         List.of(
-                                Appearance.of(colour(1, 0, 0, 1)),
-                                Appearance.of(colour(0, 0, 1, 0.5)),
+                                Appearance.of(color(1, 0, 0, 1)),
+                                Appearance.of(color(0, 0, 1, 0.5)),
                                 LitScenes.white().with(LitScenes.laid(net, Wrap.REPEAT))),
                         new int[] {RED, GLASS, NET},
                         LitScenes.everywhere(),
@@ -78,7 +78,7 @@ class LookTest {
         return scene.only(faces);
     }
 
-    private static Material colour(double r, double g, double b, double alpha) {
+    private static Material color(double r, double g, double b, double alpha) {
         double[] rgb = {r, g, b};
         double[] none = new double[3];
         return new Material(new SurfaceMaterial(rgb, none, none, none, 0), alpha);
@@ -136,7 +136,7 @@ class LookTest {
 
     @Test
     @DisplayName("a pixel that a rounded polygon adds beyond an edge shows the texture's other end")
-    void pixelsBeyondAnEdgeHaveTheColourOfTheEdge() {
+    void pixelsBeyondAnEdgeHaveTheColorOfTheEdge() {
         double[] xyz = {0, -3.5, -3.5, 0, 3.5, -3.5, 0, 3.5, 3.5, 0, -3.5, 3.5};
         double[] st = {0, 0, 0.9, 0, 0.9, 1, 0, 1};
         Texture halves = Texture.of(2, 1, 3, new int[] {0xFF0000, 0x0000FF});

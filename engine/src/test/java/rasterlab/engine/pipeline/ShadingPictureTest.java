@@ -187,7 +187,7 @@ class ShadingPictureTest {
 
     @Test
     @DisplayName("corners' colours are mixed without perspective, or cut after they are mixed")
-    void gouraudMixesTheCutColoursOfCorners() {
+    void gouraudMixesTheCutColorsOfCorners() {
         var camera = new SphericalView(0.6, 1.1, 1.8);
         Scene scene = LitScenes.shinyBall(LitScenes.lamps(Reflection.PHONG, true, true));
         PlainRays rays = rays(scene, "perspective", camera);

@@ -56,8 +56,8 @@ class WireTest {
 
     private Raster wire(
             Mesh mesh, String method, String projection, HiddenLines hidden, double crease) {
-        int[] colours = new int[mesh.faceCount()];
-        var scene = Scene.dull("cube", mesh, colours, 0, CORNER, 200);
+        int[] colors = new int[mesh.faceCount()];
+        var scene = Scene.dull("cube", mesh, colors, 0, CORNER, 200);
         var plain = new RenderRequest(scene, method, "wire", projection, CORNER, SIZE, SIZE);
         return renderer.render(
                 plain.with(plain.look().withWire(new WireStyle(hidden, crease))), () -> false);
@@ -209,8 +209,8 @@ class WireTest {
     @DisplayName("edge through the eye's plane is drawn mirrored, or fails")
     void edgesBehindTheEyeAreCut() {
         var inside = new SphericalView(0.5, 1.2, 0.5);
-        int[] colours = {0xFFFFFF, 0xFFFFFF, 0xFFFFFF, 0xFFFFFF, 0xFFFFFF, 0xFFFFFF};
-        var scene = Scene.dull("cube", CUBE, colours, 0, inside, 200);
+        int[] colors = {0xFFFFFF, 0xFFFFFF, 0xFFFFFF, 0xFFFFFF, 0xFFFFFF, 0xFFFFFF};
+        var scene = Scene.dull("cube", CUBE, colors, 0, inside, 200);
         var request = new RenderRequest(scene, "zfloat", "wire", "perspective", inside, SIZE, SIZE);
         Raster wire = renderer.render(request, () -> false);
         Raster faces = renderer.render(request.withShading(ShadingMethod.TONE), () -> false);

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class BlendTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("cases")
-    void laysOneColourOverAnother(int above, int below, int expected) {
+    void laysOneColorOverAnother(int above, int below, int expected) {
         int actual = Blend.over(above, below);
         for (int shift = 0; shift < 32; shift += 8)
             assertEquals(

@@ -91,7 +91,7 @@ class VaseTest {
 
     @Test
     @DisplayName("side and bottom colours are swapped")
-    void hasTheCourseworksColoursAndView() {
+    void hasTheCourseworksColorsAndView() {
         int[] rgb = IntStream.range(0, mesh.faceCount()).map(f -> vase.finish(f).rgb()).toArray();
         assertTrue(Arrays.stream(rgb, 0, 270).allMatch(c -> c == (255 << 16 | 255 << 8 | 204)));
         assertTrue(Arrays.stream(rgb, 270, 300).allMatch(c -> c == (209 << 16 | 154 << 8 | 65)));

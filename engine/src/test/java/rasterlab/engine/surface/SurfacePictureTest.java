@@ -129,7 +129,7 @@ class SurfacePictureTest {
         Brush brush = Brush.pattern(tile);
         tile[0][0] = '*';
         tile[0] = new int[0];
-        assertEquals('#', brush.colour(5, 5));
+        assertEquals('#', brush.color(5, 5));
     }
 
     @Test

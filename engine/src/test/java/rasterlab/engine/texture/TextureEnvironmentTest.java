@@ -13,7 +13,7 @@ import rasterlab.engine.texture.TextureEnvironment.Mode;
 class TextureEnvironmentTest {
     private static final int SURFACE = 0xCC336699;
     private static final int TEXEL = 0x80FF8040;
-    private static final int GREY_TEXEL = 0x80404040;
+    private static final int GRAY_TEXEL = 0x80404040;
     private static final int ENVIRONMENT = 0x00FFFF00;
 
     /** The table of chapter 15, computed by hand: 0xCC·0x80/255 = 0x66, and so on. */
@@ -35,7 +35,7 @@ class TextureEnvironmentTest {
         "REPLACE, 4, 80FF8040",
     })
     void combines(Mode mode, int components, String argb) {
-        int texel = components < 3 ? GREY_TEXEL : TEXEL;
+        int texel = components < 3 ? GRAY_TEXEL : TEXEL;
         var environment = new TextureEnvironment(mode, components, ENVIRONMENT);
         assertEquals(
                 argb,
@@ -86,7 +86,7 @@ class TextureEnvironmentTest {
     /** Alpha may come from an opaque surface alone. */
     @ParameterizedTest(name = "{0}: a surface that shows through is said to be hidden, or not")
     @EnumSource
-    void surfaceIsHiddenWhereItsColourChangesNothing(Mode mode) {
+    void surfaceIsHiddenWhereItsColorChangesNothing(Mode mode) {
         int texel = 0x80B03060;
         for (int components = mode == Mode.DECAL ? 3 : 1; components <= 4; components++) {
             var environment = new TextureEnvironment(mode, components, 0x7F402010);

@@ -2,8 +2,8 @@ package rasterlab.engine.texture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static rasterlab.engine.texture.TextureTest.grey;
-import static rasterlab.engine.texture.TextureTest.greys;
+import static rasterlab.engine.texture.TextureTest.gray;
+import static rasterlab.engine.texture.TextureTest.grays;
 
 import java.util.Random;
 import net.jqwik.api.ForAll;
@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class TextureSamplerTest {
     /** Four texels with the levels 0, 10, 20, 30 from left to right. */
-    private static final Texture STAIRS = greys(4, 1, 0, 10, 20, 30);
+    private static final Texture STAIRS = grays(4, 1, 0, 10, 20, 30);
 
     @ParameterizedTest(name = "{0} finds the wrong texel at s = {1}")
     @CsvSource({
@@ -37,7 +37,7 @@ class TextureSamplerTest {
         "CLAMP, -2, 0",
     })
     void nearest(Wrap wrap, double s, int level) {
-        assertEquals(grey(level), new TextureSampler(STAIRS, wrap, wrap).nearest(s, 0.5));
+        assertEquals(gray(level), new TextureSampler(STAIRS, wrap, wrap).nearest(s, 0.5));
     }
 
     @ParameterizedTest(name = "{0} mixes the wrong texels at s = {1}")
@@ -54,16 +54,16 @@ class TextureSamplerTest {
     })
     void linear(Wrap wrap, double s, int level) {
         assertEquals(
-                grey(level),
+                gray(level),
                 new TextureSampler(STAIRS, wrap, Wrap.REPEAT).linear(s, 0.5),
                 () -> "s = " + s);
     }
 
     @Test
     void clampMixesWithTheTransparentBorder() {
-        var sampler = new TextureSampler(greys(1, 1, 200), Wrap.CLAMP, Wrap.CLAMP_TO_EDGE);
+        var sampler = new TextureSampler(grays(1, 1, 200), Wrap.CLAMP, Wrap.CLAMP_TO_EDGE);
         assertEquals(0x80646464, sampler.linear(1, 0.5));
-        assertEquals(grey(200), sampler.linear(0.5, 0.5));
+        assertEquals(gray(200), sampler.linear(0.5, 0.5));
     }
 
     @Property(tries = 500)
@@ -103,21 +103,21 @@ class TextureSamplerTest {
 
     @Test
     void trilinearPassesThroughItsLevelsAndMixesBetweenThem() {
-        Texture texture = greys(4, 1, 0, 0, 200, 200);
+        Texture texture = grays(4, 1, 0, 0, 200, 200);
         var sampler = new TextureSampler(texture, Wrap.CLAMP_TO_EDGE, Wrap.CLAMP_TO_EDGE);
-        assertEquals(grey(0), sampler.trilinear(0.2, 0.5, -3));
-        assertEquals(grey(0), sampler.trilinear(0.25, 0.5, 1));
-        assertEquals(grey(50), sampler.trilinear(0.25, 0.5, 1.5));
-        assertEquals(grey(100), sampler.trilinear(0.25, 0.5, 2));
-        assertEquals(grey(100), sampler.trilinear(0.25, 0.5, 99));
-        assertEquals(grey(200), sampler.nearestLevel(0.9, 0.5, 1.4));
-        assertEquals(grey(100), sampler.nearestLevel(0.9, 0.5, 1.6));
+        assertEquals(gray(0), sampler.trilinear(0.2, 0.5, -3));
+        assertEquals(gray(0), sampler.trilinear(0.25, 0.5, 1));
+        assertEquals(gray(50), sampler.trilinear(0.25, 0.5, 1.5));
+        assertEquals(gray(100), sampler.trilinear(0.25, 0.5, 2));
+        assertEquals(gray(100), sampler.trilinear(0.25, 0.5, 99));
+        assertEquals(gray(200), sampler.nearestLevel(0.9, 0.5, 1.4));
+        assertEquals(gray(100), sampler.nearestLevel(0.9, 0.5, 1.6));
     }
 
     @ParameterizedTest(name = "{0} leaves the picture on NaN")
     @EnumSource
     void nothingLeavesThePicture(Wrap wrap) {
-        var sampler = new TextureSampler(greys(3, 5, new int[15]), wrap, wrap);
+        var sampler = new TextureSampler(grays(3, 5, new int[15]), wrap, wrap);
         for (double wild : new double[] {Double.NaN, 1 / 0.0, -1 / 0.0, 1e300, -1e300, 0x1p53})
             for (double tame : new double[] {0, 0.5, Math.nextDown(1.0), 1, -1e-300}) {
                 assertEquals(0, sampler.nearest(wild, tame) & 0xFFFFFF);
@@ -154,7 +154,7 @@ class TextureSamplerTest {
     })
     void levelsAreMixedOrChosen(double lambda, double s, int inLevel, int between) {
         var sampler = new TextureSampler(STAIRS, Wrap.CLAMP_TO_EDGE, Wrap.CLAMP_TO_EDGE);
-        assertEquals(grey(inLevel), sampler.linearLevel(s, 0.5, lambda));
-        assertEquals(grey(between), sampler.nearestBetween(s, 0.5, lambda));
+        assertEquals(gray(inLevel), sampler.linearLevel(s, 0.5, lambda));
+        assertEquals(gray(between), sampler.nearestBetween(s, 0.5, lambda));
     }
 }

@@ -30,11 +30,11 @@ class TextureTest {
 
     @Test
     void middleColumnOfAnOddWidthIsShared() {
-        Texture texture = greys(3, 1, 0, 90, 240);
-        assertEquals(grey((0 + 90 + 240) / 3), texture.level(1).texel(0, 0));
-        Texture wide = greys(5, 1, 10, 20, 200, 30, 40);
-        assertEquals(grey((10 + 20 + 100) / 2.5), wide.level(1).texel(0, 0));
-        assertEquals(grey((100 + 30 + 40) / 2.5), wide.level(1).texel(1, 0));
+        Texture texture = grays(3, 1, 0, 90, 240);
+        assertEquals(gray((0 + 90 + 240) / 3), texture.level(1).texel(0, 0));
+        Texture wide = grays(5, 1, 10, 20, 200, 30, 40);
+        assertEquals(gray((10 + 20 + 100) / 2.5), wide.level(1).texel(0, 0));
+        assertEquals(gray((100 + 30 + 40) / 2.5), wide.level(1).texel(1, 0));
     }
 
     /** A rounding from level to level would drift by up to half a level each time. */
@@ -54,7 +54,7 @@ class TextureTest {
     }
 
     @Test
-    void luminanceIsGreyAndOpaqueWithoutAlpha() {
+    void luminanceIsGrayAndOpaqueWithoutAlpha() {
         assertEquals(0xFF808080, Texture.of(1, 1, 1, new int[] {0x10801234}).level(0).texel(0, 0));
         assertEquals(0x10808080, Texture.of(1, 1, 2, new int[] {0x10801234}).level(0).texel(0, 0));
         assertEquals(0xFF801234, Texture.of(1, 1, 3, new int[] {0x10801234}).level(0).texel(0, 0));
@@ -124,13 +124,13 @@ class TextureTest {
         assertEquals(1, t[0]);
     }
 
-    static Texture greys(int width, int height, int... levels) {
+    static Texture grays(int width, int height, int... levels) {
         var argb = new int[levels.length];
-        for (int i = 0; i < levels.length; i++) argb[i] = grey(levels[i]);
+        for (int i = 0; i < levels.length; i++) argb[i] = gray(levels[i]);
         return Texture.of(width, height, 4, argb);
     }
 
-    static int grey(double level) {
+    static int gray(double level) {
         return 0xFF000000 | (int) (level + 0.5) * 0x010101;
     }
 }

@@ -55,13 +55,13 @@ class PerspectiveTest {
     }
 
     @Test
-    void lectureVanishingPointsAndCentresOfProjection() {
+    void lectureVanishingPointsAndCentersOfProjection() {
         Matrix4d three = ProjectionMatrices.perspective(0.5, 0.25, -0.125);
         assertEquals(Optional.of(new Vector3d(2, 0, 0)), VanishingPoints.of(three, 0));
         assertEquals(Optional.of(new Vector3d(0, 4, 0)), VanishingPoints.of(three, 1));
         assertEquals(Optional.of(new Vector3d(0, 0, -8)), VanishingPoints.of(three, 2));
-        assertEquals(Optional.of(new Vector3d(-2, 0, 0)), VanishingPoints.centre(three, 0));
-        assertEquals(Optional.of(new Vector3d(0, 0, 8)), VanishingPoints.centre(three, 2));
+        assertEquals(Optional.of(new Vector3d(-2, 0, 0)), VanishingPoints.center(three, 0));
+        assertEquals(Optional.of(new Vector3d(0, 0, 8)), VanishingPoints.center(three, 2));
         assertEquals(3, vanishingPoints(three));
         assertEquals(1, vanishingPoints(ProjectionMatrices.perspective(0, 0, 1)));
         assertEquals(0, vanishingPoints(ProjectionMatrices.isometric()));

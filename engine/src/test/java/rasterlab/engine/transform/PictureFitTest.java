@@ -32,10 +32,10 @@ class PictureFitTest {
 
     @Test
     @DisplayName("the centre of an odd size lies between pixels")
-    void centreIsAPixel() {
+    void centerIsAPixel() {
         var fit = PictureFit.of(5, 1, 1);
-        assertEquals(2, fit.centreX());
-        assertEquals(0, fit.centreY());
+        assertEquals(2, fit.centerX());
+        assertEquals(0, fit.centerY());
     }
 
     @Test

@@ -9,13 +9,13 @@ import rasterlab.contract.PixelGrid;
 final class GridSheet extends SinkSheet implements PixelGrid {
     private final int width;
     private final int height;
-    private final int[] colours;
+    private final int[] colors;
     private final WholeSheets.OfThree written;
 
-    private GridSheet(int width, int height, int[] colours, int limit) {
+    private GridSheet(int width, int height, int[] colors, int limit) {
         this.width = width;
         this.height = height;
-        this.colours = colours;
+        this.colors = colors;
         this.written = new WholeSheets.OfThree(limit, width * height);
     }
 
@@ -32,9 +32,9 @@ final class GridSheet extends SinkSheet implements PixelGrid {
      */
     static GridSheet read(DataInputStream in, int limit) throws IOException {
         int width = in.readInt();
-        int[] colours = new int[Values.length(in, Integer.BYTES)];
-        for (int i = 0; i < colours.length; i++) colours[i] = in.readInt();
-        return new GridSheet(width, width == 0 ? 0 : colours.length / width, colours, limit);
+        int[] colors = new int[Values.length(in, Integer.BYTES)];
+        for (int i = 0; i < colors.length; i++) colors[i] = in.readInt();
+        return new GridSheet(width, width == 0 ? 0 : colors.length / width, colors, limit);
     }
 
     @Override
@@ -49,14 +49,14 @@ final class GridSheet extends SinkSheet implements PixelGrid {
 
     @Override
     public int read(int x, int y) {
-        return colours[place(x, y)];
+        return colors[place(x, y)];
     }
 
     @Override
-    public void write(int x, int y, int colour) {
+    public void write(int x, int y, int color) {
         int place = place(x, y);
-        written.plot(x, y, colour);
-        colours[place] = colour;
+        written.plot(x, y, color);
+        colors[place] = color;
     }
 
     private int place(int x, int y) {

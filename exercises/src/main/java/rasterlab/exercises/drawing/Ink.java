@@ -22,7 +22,7 @@ final class Ink {
     static final Color ACTUAL = new Color(0x0B62B8);
 
     static final Color MISSING = new Color(0xB3001B);
-    static final Color EXTRA = PixelMark.COLOUR;
+    static final Color EXTRA = PixelMark.COLOR;
 
     /** The most important ones first. */
     static final List<Color> ALL =

@@ -179,7 +179,7 @@ final class TableSheet {
         double top = cell.getY() + 5;
         if (state == State.MISSING) PixelMark.MISSING.paint(g, left, top, side);
         if (state == State.EXTRA) PixelMark.EXTRA.paint(g, left, top, side);
-        g.setColor(PixelMark.COLOUR);
+        g.setColor(PixelMark.COLOR);
         g.setStroke(new BasicStroke(2));
         if (state == State.WRONG) unequal(g, left, top, side);
         g.draw(

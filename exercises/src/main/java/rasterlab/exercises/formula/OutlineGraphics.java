@@ -49,7 +49,7 @@ final class OutlineGraphics extends AbstractGraphics2D {
     }
 
     @Override
-    public void setXORMode(Color colour) {
+    public void setXORMode(Color color) {
         throw new UnsupportedOperationException("an outline has no colours");
     }
 

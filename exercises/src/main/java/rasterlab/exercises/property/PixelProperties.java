@@ -28,8 +28,8 @@ final class PixelProperties {
                                             mirrored(
                                                     pixels,
                                                     Symmetry.OF_OCTANTS,
-                                                    circle.centreX(),
-                                                    circle.centreY()))),
+                                                    circle.centerX(),
+                                                    circle.centerY()))),
                     Property.<Ellipse, PixelRecording>always(
                             "ellipse",
                             "quadrant-symmetry",
@@ -38,8 +38,8 @@ final class PixelProperties {
                                             mirrored(
                                                     pixels,
                                                     Symmetry.OF_QUADRANTS,
-                                                    ellipse.centreX(),
-                                                    ellipse.centreY()))),
+                                                    ellipse.centerX(),
+                                                    ellipse.centerY()))),
                     new Property<PolygonTask, PixelRecording>(
                             "polygon-fill",
                             "shared-edge-once",
@@ -68,11 +68,11 @@ final class PixelProperties {
 
     /** The pixels with all their mirror images, each once. */
     private static PixelRecording mirrored(
-            PixelRecording pixels, List<Symmetry> symmetries, int centreX, int centreY) {
+            PixelRecording pixels, List<Symmetry> symmetries, int centerX, int centerY) {
         Set<Place> all = places(pixels);
         for (Place one : List.copyOf(all))
             for (Symmetry each : symmetries) {
-                int[] at = each.of(centreX, centreY, one.x(), one.y());
+                int[] at = each.of(centerX, centerY, one.x(), one.y());
                 all.add(new Place(at[0], at[1]));
             }
         return recording(all);

@@ -36,10 +36,10 @@ record Symmetry(boolean swapped, boolean left, boolean up) {
     }
 
     /** Where a pixel goes, about a centre that stays. */
-    int[] of(int centreX, int centreY, int x, int y) {
-        int along = swapped ? y - centreY : x - centreX;
-        int down = swapped ? x - centreX : y - centreY;
-        return new int[] {centreX + (left ? -along : along), centreY + (up ? -down : down)};
+    int[] of(int centerX, int centerY, int x, int y) {
+        int along = swapped ? y - centerY : x - centerX;
+        int down = swapped ? x - centerX : y - centerY;
+        return new int[] {centerX + (left ? -along : along), centerY + (up ? -down : down)};
     }
 
     /** The pixels changed one by one, in their order. */

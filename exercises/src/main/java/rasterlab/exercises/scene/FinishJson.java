@@ -33,8 +33,8 @@ final class FinishJson {
         return new Material(surface, of.optional("alpha").map(p -> p.number(0, 1)).orElse(1.0));
     }
 
-    private static double[] shares(SceneJsonPlace colour) {
-        return colour.numbers(3, 0, 1);
+    private static double[] shares(SceneJsonPlace color) {
+        return color.numbers(3, 0, 1);
     }
 
     static void write(Appearance finish, ObjectNode out) {

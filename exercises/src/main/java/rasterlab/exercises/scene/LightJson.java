@@ -66,8 +66,8 @@ final class LightJson {
                         .orElse(SpotCone.none()));
     }
 
-    private static double[] shares(SceneJsonPlace colour) {
-        return colour.numbers(3, 0, LightSource.BRIGHTEST);
+    private static double[] shares(SceneJsonPlace color) {
+        return color.numbers(3, 0, LightSource.BRIGHTEST);
     }
 
     private static Attenuation attenuation(SceneJsonPlace of) {

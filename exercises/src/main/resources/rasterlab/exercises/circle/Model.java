@@ -4,14 +4,14 @@ import rasterlab.contract.Pixels;
 /** Goes along one octant and mirrors each of its pixels, in long numbers. */
 public class Model implements CircleRasterizer {
     @Override
-    public void draw(int centreX, int centreY, int radius, Pixels out) {
+    public void draw(int centerX, int centerY, int radius, Pixels out) {
         long square = (long) radius * radius;
         int v = radius;
         for (int u = 0; ; u++) {
             while (v > 0 && (long) u * u + (long) v * v - v >= square) v--;
             if (u > v) return;
-            sides(centreX, centreY, u, v, out);
-            if (u != v) sides(centreX, centreY, v, u, out);
+            sides(centerX, centerY, u, v, out);
+            if (u != v) sides(centerX, centerY, v, u, out);
         }
     }
 

@@ -4,5 +4,5 @@ import rasterlab.contract.Pixels;
 /** Draws a circle. So far it draws nothing. */
 public class MyCircle implements CircleRasterizer {
     @Override
-    public void draw(int centreX, int centreY, int radius, Pixels out) {}
+    public void draw(int centerX, int centerY, int radius, Pixels out) {}
 }

@@ -32,12 +32,12 @@ public class Model implements ColorConverter {
     }
 
     private static double[] ofHvs(double hue, double value, double saturation) {
-        double grey = value / Math.sqrt(3);
+        double gray = value / Math.sqrt(3);
         double angle = saturation == 0 ? 0 : Math.toRadians(hue);
         double along = saturation * Math.cos(angle) / Math.sqrt(6);
         double across = saturation * Math.sin(angle) / Math.sqrt(2);
         return new double[] {
-            cut(grey + 2 * along), cut(grey - along + across), cut(grey - along - across)
+            cut(gray + 2 * along), cut(gray - along + across), cut(gray - along - across)
         };
     }
 

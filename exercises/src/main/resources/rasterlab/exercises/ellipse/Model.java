@@ -4,7 +4,7 @@ import rasterlab.contract.Pixels;
 /** Takes the columns of a quadrant, then the rows whose pixel no column has, in long numbers. */
 public class Model implements EllipseRasterizer {
     @Override
-    public void draw(int centreX, int centreY, int radiusX, int radiusY, Pixels out) {
+    public void draw(int centerX, int centerY, int radiusX, int radiusY, Pixels out) {
         long aa = (long) radiusX * radiusX;
         long bb = (long) radiusY * radiusY;
         int[] rows = new int[radiusX + 1];
@@ -12,12 +12,12 @@ public class Model implements EllipseRasterizer {
         for (int u = 0; u <= radiusX; u++) {
             while (v > 0 && far(v, aa, bb, u)) v--;
             rows[u] = v;
-            sides(centreX, centreY, u, v, out);
+            sides(centerX, centerY, u, v, out);
         }
         int u = radiusX;
         for (v = 0; v <= radiusY; v++) {
             while (u > 0 && far(u, bb, aa, v)) u--;
-            if (rows[u] != v) sides(centreX, centreY, u, v, out);
+            if (rows[u] != v) sides(centerX, centerY, u, v, out);
         }
     }
 

@@ -4,5 +4,5 @@ import rasterlab.contract.Pixels;
 /** Draws an ellipse. So far it draws nothing. */
 public class MyEllipse implements EllipseRasterizer {
     @Override
-    public void draw(int centreX, int centreY, int radiusX, int radiusY, Pixels out) {}
+    public void draw(int centerX, int centerY, int radiusX, int radiusY, Pixels out) {}
 }

@@ -27,21 +27,21 @@ class TablePicturesTest {
         for (int row = 0; row < 2; row++)
             for (int column = 0; column < 3; column++) {
                 int marked =
-                        Seen.count(seen.difference(), PixelMark.COLOUR, cell(actual, row, column));
+                        Seen.count(seen.difference(), PixelMark.COLOR, cell(actual, row, column));
                 assertEquals(
                         row == 1 && column == 1, marked > 50, row + ", " + column + ": " + marked);
             }
         Rectangle2D wrong = cell(actual, 1, 1);
         var sign = new Rectangle2D.Double(wrong.getX() + 6, wrong.getY() + 6, 14, 14);
-        assertTrue(Seen.count(seen.difference(), PixelMark.COLOUR, sign) > 10, "no sign");
-        assertEquals(0, Seen.count(seen.expected(), PixelMark.COLOUR));
-        assertEquals(0, Seen.count(seen.actual(), PixelMark.COLOUR));
+        assertTrue(Seen.count(seen.difference(), PixelMark.COLOR, sign) > 10, "no sign");
+        assertEquals(0, Seen.count(seen.expected(), PixelMark.COLOR));
+        assertEquals(0, Seen.count(seen.actual(), PixelMark.COLOR));
     }
 
     @Test
     void aCellWithinTheToleranceIsRight() {
         Seen seen = seen(new double[][] {{0.25, 0.5, 1}, {0.1, 0.2 + 1e-10, 0.3}});
-        assertEquals(0, Seen.count(seen.difference(), PixelMark.COLOUR));
+        assertEquals(0, Seen.count(seen.difference(), PixelMark.COLOR));
         assertEquals("there is no difference", seen.differenceText("en"));
         assertEquals("различий нет", seen.differenceText("ru"));
     }
@@ -105,7 +105,7 @@ class TablePicturesTest {
                         TablePictures.of(
                                 TableLabels.NUMBERS, expected, actual, Agreement.within(0)));
         seen.assertComplete("a long table");
-        assertTrue(Seen.count(seen.difference(), PixelMark.COLOUR) > 50, "the wrong row is shown");
+        assertTrue(Seen.count(seen.difference(), PixelMark.COLOR) > 50, "the wrong row is shown");
         assertTrue(seen.difference().getHeight() < 520, "at most 16 rows and two gaps");
         assertTrue(seen.expectedText("en").contains("rows 62 to 77 are shown"));
         assertTrue(seen.expectedText("ru").contains("показаны строки от 62 до 77"));
@@ -119,9 +119,9 @@ class TablePicturesTest {
         seen.assertComplete("rows of other lengths");
         Rectangle2D missing = cell(actual, 1, 2);
         Rectangle2D extra = cell(actual, 2, 0);
-        assertTrue(Seen.count(seen.difference(), PixelMark.COLOUR, missing) > 50);
-        assertTrue(Seen.count(seen.difference(), PixelMark.COLOUR, extra) > 50);
-        assertEquals(0, Seen.count(seen.difference(), PixelMark.COLOUR, cell(actual, 2, 1)));
+        assertTrue(Seen.count(seen.difference(), PixelMark.COLOR, missing) > 50);
+        assertTrue(Seen.count(seen.difference(), PixelMark.COLOR, extra) > 50);
+        assertEquals(0, Seen.count(seen.difference(), PixelMark.COLOR, cell(actual, 2, 1)));
         assertEquals(
                 "cells that differ: 0 of 6; missing cells: 1; extra cells: 1;"
                         + " the first is in row 1, column B: expected 0.3, nothing there",

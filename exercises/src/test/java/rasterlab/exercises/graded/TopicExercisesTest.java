@@ -187,9 +187,9 @@ class TopicExercisesTest {
 
     /** A right circle whose pixels come in the reverse order, each by way of that. */
     private static CircleRasterizer backwards(Plot plot) {
-        return (centreX, centreY, radius, out) -> {
+        return (centerX, centerY, radius, out) -> {
             var all = new PixelRecording(Integer.MAX_VALUE);
-            new MidpointCircle().draw(centreX, centreY, radius, all);
+            new MidpointCircle().draw(centerX, centerY, radius, all);
             for (int i = all.size() - 1; i >= 0; i--) plot.at(all.x(i), all.y(i), out);
         };
     }

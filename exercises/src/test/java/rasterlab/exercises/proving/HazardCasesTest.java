@@ -64,7 +64,7 @@ class HazardCasesTest {
     }
 
     @Test
-    void coloursThatAreToldOneByOneAreAskedForSo() {
+    void colorsThatAreToldOneByOneAreAskedForSo() {
         TopicGrading grading = TopicGradings.named("color");
         List<Call> calls = calls(grading, "pure-colours");
         assertEquals(6, calls.size());

@@ -110,10 +110,10 @@ class SplineWindowTest extends WindowHarness {
     void hazardsChipShowsWhereTheNaiveMethodFails() {
         window.comboBox("method").selectItem("adaptive-naive");
         window.button("chip.s-curve").click();
-        int orange = LabRooms.card("curve").colours().of("adaptive-naive").getRGB();
+        int orange = LabRooms.card("curve").colors().of("adaptive-naive").getRGB();
         await("the naive chord is drawn", () -> GuiActionRunner.execute(() -> curve().last()) == 1);
         window.button("player.toEnd").click();
-        await("in its colour", () -> colours("stage").contains(orange));
+        await("in its colour", () -> colors("stage").contains(orange));
     }
 
     @Test
@@ -175,10 +175,10 @@ class SplineWindowTest extends WindowHarness {
 
     private void drag(String name, int dx, int dy) {
         Component handle = window.robot().finder().findByName(frame, name);
-        var centre = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
+        var center = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
         Point screen = handle.getLocationOnScreen();
-        robot.pressMouse(handle, centre, MouseButton.LEFT_BUTTON);
-        var start = new Point(screen.x + centre.x, screen.y + centre.y);
+        robot.pressMouse(handle, center, MouseButton.LEFT_BUTTON);
+        var start = new Point(screen.x + center.x, screen.y + center.y);
         robot.moveMouse(new Point(start.x + dx / 2, start.y + dy / 2));
         robot.moveMouse(new Point(start.x + dx, start.y + dy));
         robot.releaseMouseButtons();

@@ -50,10 +50,10 @@ class WindowClipTest extends WindowHarness {
 
     private void drag(String name, int right, int down) {
         Component handle = named(name);
-        var centre = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
-        robot.pressMouse(handle, centre, MouseButton.LEFT_BUTTON);
-        robot.moveMouse(handle, centre.x + right / 2, centre.y + down / 2);
-        robot.moveMouse(named(name), centre.x + right / 2, centre.y + down / 2);
+        var center = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
+        robot.pressMouse(handle, center, MouseButton.LEFT_BUTTON);
+        robot.moveMouse(handle, center.x + right / 2, center.y + down / 2);
+        robot.moveMouse(named(name), center.x + right / 2, center.y + down / 2);
         robot.releaseMouseButtons();
         robot.waitForIdle();
     }
@@ -88,21 +88,21 @@ class WindowClipTest extends WindowHarness {
         press(KeyEvent.VK_LEFT);
         assertTrue(end(1, 1).x() < before.x());
         assertEquals(before.y(), end(1, 1).y());
-        assertTrue(colours("end.B2").contains(StageColors.LIGHT.focus().getRGB()), "no focus");
+        assertTrue(colors("end.B2").contains(StageColors.LIGHT.focus().getRGB()), "no focus");
         assertEquals("B2", state().selected().label());
     }
 
     @Test
-    void stepsByKeysAndShowsTheResultInTheMethodsColour() {
-        int left = LabRooms.card("clip-segment").colours().of("cohen-sutherland").getRGB();
-        await("the result is drawn", () -> colours("stage").contains(left));
+    void stepsByKeysAndShowsTheResultInTheMethodsColor() {
+        int left = LabRooms.card("clip-segment").colors().of("cohen-sutherland").getRGB();
+        await("the result is drawn", () -> colors("stage").contains(left));
         focus("end.A1");
         press(KeyEvent.VK_HOME);
-        await("nothing is clipped yet", () -> !colours("stage").contains(left));
+        await("nothing is clipped yet", () -> !colors("stage").contains(left));
         press(KeyEvent.VK_PAGE_DOWN);
         assertEquals(1, models.of(new ClipRoom()).step());
         press(KeyEvent.VK_END);
-        await("the result is drawn again", () -> colours("stage").contains(left));
+        await("the result is drawn again", () -> colors("stage").contains(left));
     }
 
     @Test
@@ -110,8 +110,8 @@ class WindowClipTest extends WindowHarness {
         window.comboBox("comparison").selectItem("cohen-sutherland-textbook");
         await("a second picture", () -> named("stage.other").getHeight() > 100);
         int wrong = MethodColors.VERMILLION.getRGB();
-        await("wrong parts are marked", () -> colours("stage.other").contains(wrong));
-        assertFalse(colours("stage").contains(wrong), "marked where nothing is wrong");
+        await("wrong parts are marked", () -> colors("stage.other").contains(wrong));
+        assertFalse(colors("stage").contains(wrong), "marked where nothing is wrong");
         window.checkBox("difference").click();
         await("one picture", () -> !frameHas("stage.other"));
         assertTrue(choice().difference());

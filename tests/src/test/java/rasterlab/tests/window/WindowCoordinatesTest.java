@@ -67,10 +67,10 @@ class WindowCoordinatesTest extends WindowHarness {
 
     private void drag(String name, int right, int down) {
         Component handle = named(name);
-        var centre = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
-        robot.pressMouse(handle, centre, MouseButton.LEFT_BUTTON);
-        robot.moveMouse(handle, centre.x + right / 2, centre.y + down / 2);
-        robot.moveMouse(named(name), centre.x + right / 2, centre.y + down / 2);
+        var center = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
+        robot.pressMouse(handle, center, MouseButton.LEFT_BUTTON);
+        robot.moveMouse(handle, center.x + right / 2, center.y + down / 2);
+        robot.moveMouse(named(name), center.x + right / 2, center.y + down / 2);
         robot.releaseMouseButtons();
         robot.waitForIdle();
     }
@@ -81,7 +81,7 @@ class WindowCoordinatesTest extends WindowHarness {
         press(KeyEvent.VK_RIGHT);
         assertTrue(view().numbers().get(ViewNumber.ANGLE_Y) > before);
         assertTrue(
-                colours("handle.vertex").contains(StageColors.LIGHT.focus().getRGB()), "no focus");
+                colors("handle.vertex").contains(StageColors.LIGHT.focus().getRGB()), "no focus");
         press(KeyEvent.VK_HOME);
         assertEquals(0, labs().views().step());
         press(KeyEvent.VK_PAGE_DOWN);
@@ -120,12 +120,12 @@ class WindowCoordinatesTest extends WindowHarness {
         assertEquals(55, view().numbers().get(ViewNumber.PHI));
         window.slider("d").requireDisabled();
         window.comboBox("stereo").selectItem(Stereoscopy.ANAGLYPH.ordinal());
-        await("two eyes", () -> colours("stage").contains(0xFFE02020));
+        await("two eyes", () -> colors("stage").contains(0xFFE02020));
         window.slider("separation").slideTo(100);
         window.checkBox("stable").click();
         robot.waitForIdle();
         window.slider("d").requireEnabled();
-        await("one eye", () -> !colours("stage").contains(0xFFE02020));
+        await("one eye", () -> !colors("stage").contains(0xFFE02020));
         window.comboBox("stereo").requireDisabled();
         window.checkBox("vanishing").click();
         window.comboBox("vertex").selectItem(0);
@@ -148,7 +148,7 @@ class WindowCoordinatesTest extends WindowHarness {
         assertTrue(view().numbers().get(ViewNumber.WIDTH) < 400);
         int light = StageColors.LIGHT.focus().getRGB();
         focus("handle.vertex");
-        assertTrue(colours("handle.vertex").contains(light), "no focus");
+        assertTrue(colors("handle.vertex").contains(light), "no focus");
     }
 
     @Test
@@ -192,9 +192,9 @@ class WindowCoordinatesTest extends WindowHarness {
         assertNotEquals(before.get(4), list().points().get(4));
         assertEquals(before.subList(0, 4), list().points().subList(0, 4));
         int wrong = MethodColors.VERMILLION.getRGB();
-        assertFalse(colours("stage").contains(wrong), "marked unasked");
+        assertFalse(colors("stage").contains(wrong), "marked unasked");
         window.button("chip.axis").click();
-        await("the printed matrix is marked", () -> colours("stage").contains(wrong));
+        await("the printed matrix is marked", () -> colors("stage").contains(wrong));
     }
 
     @Test
@@ -250,15 +250,15 @@ class WindowCoordinatesTest extends WindowHarness {
     @Test
     void everyControlOfRotationDoesSomething() {
         choose(CoordinatesMode.ROTATION);
-        int own = LabRooms.card("rotate").colours().of("table").getRGB();
+        int own = LabRooms.card("rotate").colors().of("table").getRGB();
         window.comboBox("method").selectItem("table");
-        await("the way is drawn", () -> colours("stage").contains(own));
+        await("the way is drawn", () -> colors("stage").contains(own));
         int line =
                 MethodColors.edgeOn(
                                 StageColors.LIGHT.ground(),
-                                LabRooms.card("rotate").colours().of("table"))
+                                LabRooms.card("rotate").colors().of("table"))
                         .getRGB();
-        await("the drift is drawn", () -> colours("stage.chart").contains(line));
+        await("the drift is drawn", () -> colors("stage.chart").contains(line));
         window.spinner("degrees.field").enterTextAndCommit("12.5");
         window.slider("times").slideTo(100);
         window.spinner("point.x").enterTextAndCommit("5");

@@ -50,23 +50,23 @@ class WindowFigureTest extends WindowHarness {
 
     private void drag(String name, int right, int down) {
         Component handle = named(name);
-        var centre = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
-        robot.pressMouse(handle, centre, MouseButton.LEFT_BUTTON);
-        robot.moveMouse(handle, centre.x + right / 2, centre.y + down / 2);
-        robot.moveMouse(named(name), centre.x + right / 2, centre.y + down / 2);
+        var center = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
+        robot.pressMouse(handle, center, MouseButton.LEFT_BUTTON);
+        robot.moveMouse(handle, center.x + right / 2, center.y + down / 2);
+        robot.moveMouse(named(name), center.x + right / 2, center.y + down / 2);
         robot.releaseMouseButtons();
         robot.waitForIdle();
     }
 
     @Test
-    void draggedRadiusAndCentreChangeTheCircle() {
+    void draggedRadiusAndCenterChangeTheCircle() {
         choose(LineMode.CIRCLE);
         ArcFigure before = figure(ArcFigure.class);
         drag("grip.radiusX", -80, 0);
         assertTrue(figure(ArcFigure.class).radiusX() < before.radiusX());
         focus("grip.centre");
         press(KeyEvent.VK_RIGHT);
-        assertEquals(before.centreX() + 1, figure(ArcFigure.class).centreX());
+        assertEquals(before.centerX() + 1, figure(ArcFigure.class).centerX());
         window.button("undo").click();
         window.button("undo").click();
         await("what was before is back", () -> figure(ArcFigure.class).equals(before));
@@ -90,7 +90,7 @@ class WindowFigureTest extends WindowHarness {
     /** The lines of a mark are thin, and so mixed with what is under them. */
     private boolean isMarked() {
         Color mark = MethodColors.VERMILLION;
-        return colours("stage").stream()
+        return colors("stage").stream()
                 .map(Color::new)
                 .anyMatch(
                         each ->
@@ -104,8 +104,8 @@ class WindowFigureTest extends WindowHarness {
         choose(LineMode.CIRCLE);
         window.comboBox("comparison").selectItem("parametric");
         await("a second picture", () -> named("stage.other").getHeight() > 100);
-        int second = LabRooms.card("circle").colours().of("parametric").getRGB();
-        await("its pixels", () -> colours("stage.other").contains(second));
+        int second = LabRooms.card("circle").colors().of("parametric").getRGB();
+        await("its pixels", () -> colors("stage.other").contains(second));
     }
 
     @Test

@@ -188,13 +188,13 @@ abstract class WindowHarness {
     }
 
     /** The colours, as opaque RGB, of what the display shows of a component. */
-    Set<Integer> colours(String name) {
+    Set<Integer> colors(String name) {
         BufferedImage picture = captured(name);
-        var colours = new HashSet<Integer>();
+        var colors = new HashSet<Integer>();
         for (int y = 0; y < picture.getHeight(); y++)
             for (int x = 0; x < picture.getWidth(); x++)
-                colours.add(0xFF000000 | picture.getRGB(x, y));
-        return colours;
+                colors.add(0xFF000000 | picture.getRGB(x, y));
+        return colors;
     }
 
     /** The picture of a component on the display. */

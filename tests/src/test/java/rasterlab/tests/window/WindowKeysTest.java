@@ -41,7 +41,7 @@ class WindowKeysTest extends WindowHarness {
     void arrowKeysTurnTheVaseAsInTheCoursework() {
         show("visibility");
         double theta = theta();
-        await("the vase is drawn", () -> colours("stage").size() > 40);
+        await("the vase is drawn", () -> colors("stage").size() > 40);
         focus("stage");
         press(KeyEvent.VK_RIGHT);
         press(KeyEvent.VK_RIGHT);
@@ -109,13 +109,13 @@ class WindowKeysTest extends WindowHarness {
         press(KeyEvent.VK_DOWN);
         assertEquals(theta + STEP, theta(), 1e-9);
         assertEquals(Language.ENGLISH, frame.language());
-        assertTrue(colours("stage").contains(FOCUS), "focus is not seen");
+        assertTrue(colors("stage").contains(FOCUS), "focus is not seen");
         choose("line", way);
         Segment before = segment();
         press(KeyEvent.VK_RIGHT);
         assertEquals(before.x0() + 1, segment().x0());
         assertEquals(theta + STEP, theta(), 1e-9);
-        assertTrue(colours("end.A").contains(FOCUS), "focus is not seen");
+        assertTrue(colors("end.A").contains(FOCUS), "focus is not seen");
     }
 
     private void choose(String tab, String way) {

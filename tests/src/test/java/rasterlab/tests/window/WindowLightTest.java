@@ -35,7 +35,7 @@ class WindowLightTest extends WindowHarness {
     void showLighting() {
         if (window == null) return;
         show("light");
-        await("lit pictures", () -> colours("stage").size() > 50);
+        await("lit pictures", () -> colors("stage").size() > 50);
     }
 
     private Component named(String name) {
@@ -76,10 +76,10 @@ class WindowLightTest extends WindowHarness {
 
     @Test
     void lampMovesByItsSliderAndByShiftAndArrows() {
-        Set<Integer> before = colours("stage");
+        Set<Integer> before = colors("stage");
         int x = number("x");
         GuiActionRunner.execute(() -> window.slider("x").target().setValue(20));
-        await("other light", () -> !colours("stage").equals(before));
+        await("other light", () -> !colors("stage").equals(before));
         window.button("undo").click();
         await("what was before is back", () -> number("x") == x);
         focus("stage");
@@ -200,9 +200,9 @@ class WindowLightTest extends WindowHarness {
     }
 
     @Test
-    void colourModelsFollowEachOtherAndTheCubeTurns() {
+    void colorModelsFollowEachOtherAndTheCubeTurns() {
         window.comboBox("mode").selectItem(1);
-        await("the cube", () -> colours("cube").size() > 500);
+        await("the cube", () -> colors("cube").size() > 500);
         int cyan = number("cmy.cyan");
         GuiActionRunner.execute(() -> window.slider("rgb.red").target().setValue(0));
         robot.waitForIdle();
@@ -216,7 +216,7 @@ class WindowLightTest extends WindowHarness {
     }
 
     @Test
-    void languageKeepsTheModeAndTheColour() {
+    void languageKeepsTheModeAndTheColor() {
         window.comboBox("mode").selectItem(1);
         GuiActionRunner.execute(() -> window.slider("rgb.red").target().setValue(0));
         String before = text("hex.value");

@@ -89,7 +89,7 @@ class WindowOpenGlTest extends WindowHarness {
     @Test
     void screenShowsWhatOpenGlHasDrawn() {
         awaitOpenGlsWindow();
-        await("OpenGL's window has its picture", () -> colours("opengl.canvas").equals(drawn()));
+        await("OpenGL's window has its picture", () -> colors("opengl.canvas").equals(drawn()));
         assertTrue(drawn().size() > 100, "only " + drawn().size() + " colours");
     }
 

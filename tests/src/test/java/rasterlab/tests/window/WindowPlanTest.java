@@ -101,10 +101,10 @@ class WindowPlanTest extends WindowHarness {
         robot.waitForIdle();
         await("another view", () -> !planned().orElseThrow().camera().equals(before.camera()));
         assertEquals(before.plan(), planned().orElseThrow().plan());
-        int coloured = colours("stage").size();
+        int colored = colors("stage").size();
         check("least.magnified");
-        await("the difference on black", () -> colours("stage").contains(0xFF000000));
-        assertNotEquals(coloured, colours("stage").size());
+        await("the difference on black", () -> colors("stage").contains(0xFF000000));
+        assertNotEquals(colored, colors("stage").size());
     }
 
     @Test

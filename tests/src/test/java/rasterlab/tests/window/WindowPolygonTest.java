@@ -58,10 +58,10 @@ class WindowPolygonTest extends WindowHarness {
 
     private void drag(String name, int right, int down) {
         Component handle = named(name);
-        var centre = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
-        robot.pressMouse(handle, centre, MouseButton.LEFT_BUTTON);
-        robot.moveMouse(handle, centre.x + right / 2, centre.y + down / 2);
-        robot.moveMouse(named(name), centre.x + right / 2, centre.y + down / 2);
+        var center = new Point(handle.getWidth() / 2, handle.getHeight() / 2);
+        robot.pressMouse(handle, center, MouseButton.LEFT_BUTTON);
+        robot.moveMouse(handle, center.x + right / 2, center.y + down / 2);
+        robot.moveMouse(named(name), center.x + right / 2, center.y + down / 2);
         robot.releaseMouseButtons();
         robot.waitForIdle();
     }
@@ -84,9 +84,9 @@ class WindowPolygonTest extends WindowHarness {
         int wrong = MethodColors.VERMILLION.getRGB();
         window.comboBox("method").selectItem("sign-double");
         drag("point", 60, 60);
-        await("boundary points are marked", () -> colours("stage").contains(wrong));
+        await("boundary points are marked", () -> colors("stage").contains(wrong));
         window.comboBox("method").selectItem("robust");
-        await("nothing is wrong", () -> !colours("stage").contains(wrong));
+        await("nothing is wrong", () -> !colors("stage").contains(wrong));
     }
 
     @Test

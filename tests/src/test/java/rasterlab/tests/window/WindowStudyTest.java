@@ -45,16 +45,16 @@ class WindowStudyTest extends WindowHarness {
         window.comboBox("topic").selectItem("shading of a point");
         window.button("measure").click();
         await("measured", () -> state().study().isPresent() && !state().work().running());
-        await("the chart is drawn", () -> colours("chart").contains(colourOfTheQuickest()));
+        await("the chart is drawn", () -> colors("chart").contains(colorOfTheQuickest()));
     }
 
     /** The method that nothing beats and that is therefore not pale. */
-    private int colourOfTheQuickest() {
+    private int colorOfTheQuickest() {
         Study study = state().study().orElseThrow();
         ParetoFront front = ParetoFront.of(study, ParetoFront.telling(study));
         List<String> methods = state().topic().methods().stream().map(Method::name).toList();
         String quickest = front.front().get(0).method();
-        return LabRooms.card("shade").colours().among(methods).get(quickest).getRGB();
+        return LabRooms.card("shade").colors().among(methods).get(quickest).getRGB();
     }
 
     @Test
@@ -81,7 +81,7 @@ class WindowStudyTest extends WindowHarness {
         measureSmallTopic();
         Component chart = window.robot().finder().findByName(frame, "chart");
         BufferedImage seen = captured("chart");
-        int wanted = colourOfTheQuickest();
+        int wanted = colorOfTheQuickest();
         for (int x = chart.getWidth() / 8; x < chart.getWidth() * 3 / 4; x += 3)
             for (int y = 0; y < chart.getHeight(); y += 3) {
                 if ((0xFF000000 | seen.getRGB(x, y)) != wanted) continue;

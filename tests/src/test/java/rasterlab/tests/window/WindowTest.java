@@ -44,19 +44,19 @@ class WindowTest extends WindowHarness {
 
     @Test
     void showsLitPixelsOnTheStage() {
-        int lit = LabRooms.card("line").colours().of("bresenham").getRGB();
-        await("lit pixels are shown", () -> colours("stage").contains(lit));
-        assertTrue(colours("stage").size() > 3, "blank stage");
+        int lit = LabRooms.card("line").colors().of("bresenham").getRGB();
+        await("lit pixels are shown", () -> colors("stage").contains(lit));
+        assertTrue(colors("stage").size() > 3, "blank stage");
     }
 
     @Test
     void dragMovesAnEndAndUndoBringsItBack() {
         Segment before = segment();
         Component end = window.robot().finder().findByName(frame, "end.B");
-        var centre = new Point(end.getWidth() / 2, end.getHeight() / 2);
-        robot.pressMouse(end, centre, MouseButton.LEFT_BUTTON);
-        robot.moveMouse(end, centre.x - 60, centre.y - 90);
-        robot.moveMouse(end, centre.x - 120, centre.y - 120);
+        var center = new Point(end.getWidth() / 2, end.getHeight() / 2);
+        robot.pressMouse(end, center, MouseButton.LEFT_BUTTON);
+        robot.moveMouse(end, center.x - 60, center.y - 90);
+        robot.moveMouse(end, center.x - 120, center.y - 120);
         robot.releaseMouseButtons();
         robot.waitForIdle();
         assertNotEquals(before, segment());
@@ -83,11 +83,11 @@ class WindowTest extends WindowHarness {
     void marksTheWrongPixels() {
         show("visibility");
         window.comboBox("method").selectItem("painter-textbook");
-        assertFalse(colours("stage").contains(WRONG), "marked unasked");
+        assertFalse(colors("stage").contains(WRONG), "marked unasked");
         window.checkBox("difference").click();
-        await("wrong pixels are marked", () -> colours("stage").contains(WRONG));
+        await("wrong pixels are marked", () -> colors("stage").contains(WRONG));
         window.checkBox("difference").click();
-        await("marks are gone", () -> !colours("stage").contains(WRONG));
+        await("marks are gone", () -> !colors("stage").contains(WRONG));
     }
 
     @Test

@@ -150,7 +150,7 @@ class WindowVisibilityTest extends WindowHarness {
                 0,
                 GuiActionRunner.execute(() -> window.comboBox("view").target().getSelectedIndex()));
         window.comboBox("view").selectItem(3);
-        await("the chart is there", () -> colours("stage").size() > 20);
+        await("the chart is there", () -> colors("stage").size() > 20);
     }
 
     /** Keeping is what Enter answers, and leads back to the dialog. */

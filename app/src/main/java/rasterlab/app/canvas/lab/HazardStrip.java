@@ -82,8 +82,8 @@ final class HazardStrip extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        StageColors colours = StageColors.now();
-        setBackground(colours.margin());
+        StageColors colors = StageColors.now();
+        setBackground(colors.margin());
         setBorder(
                 BorderFactory.createMatteBorder(
                         1, 1, 1, 1, UIManager.getColor("Component.borderColor")));
@@ -226,9 +226,9 @@ final class HazardStrip extends JPanel {
 
     /** The method's colour; null where it shares one with others, which would tell nothing. */
     private Icon swatch(String method) {
-        return lab.map(LabInput::colours)
-                .filter(colours -> colours.has(method))
-                .map(colours -> new MethodSwatch(method, colours))
+        return lab.map(LabInput::colors)
+                .filter(colors -> colors.has(method))
+                .map(colors -> new MethodSwatch(method, colors))
                 .orElse(null);
     }
 

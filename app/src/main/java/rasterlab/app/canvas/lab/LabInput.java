@@ -12,7 +12,7 @@ import rasterlab.app.canvas.method.TopicColors;
  * @param input the present one, with {@code equals}
  * @param method name of the chosen method; "" where none is judged
  * @param choose chooses another method
- * @param colours of the methods
+ * @param colors of the methods
  * @param called what the lab calls a method of that name
  * @param unjudged a sentence that says why no method is judged by some hazards; "" where all judge
  */
@@ -20,15 +20,15 @@ public record LabInput(
         Supplier<?> input,
         Supplier<String> method,
         Consumer<String> choose,
-        TopicColors colours,
+        TopicColors colors,
         UnaryOperator<String> called,
         String unjudged) {
     public LabInput(
             Supplier<?> input,
             Supplier<String> method,
             Consumer<String> choose,
-            TopicColors colours) {
-        this(input, method, choose, colours, name -> name, "");
+            TopicColors colors) {
+        this(input, method, choose, colors, name -> name, "");
     }
 
     /**

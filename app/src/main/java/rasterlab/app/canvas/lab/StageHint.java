@@ -101,12 +101,12 @@ final class StageHint extends SelfDrawn {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        StageColors colours = StageColors.now();
-        g.setColor(colours.margin());
+        StageColors colors = StageColors.now();
+        g.setColor(colors.margin());
         g.fillRoundRect(0, 0, getWidth() - 1, getHeight() - 1, 10, 10);
-        g.setColor(colours.focus());
+        g.setColor(colors.focus());
         g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, 10, 10);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         FontMetrics metrics = g.getFontMetrics(getFont());
         g.setFont(getFont());
         int y = PAD / 2 + metrics.getAscent();

@@ -21,19 +21,19 @@ public final class MethodChooser extends JComboBox<String> {
     /**
      * @param name the component's name
      * @param none what stands for "no method", first in the list; empty when one must be chosen
-     * @param colours of the methods
+     * @param colors of the methods
      * @param chosen told the method's name, or "" for none, when the user chooses
      */
     public MethodChooser(
             String name,
             String none,
             List<String> methods,
-            TopicColors colours,
+            TopicColors colors,
             Consumer<String> chosen) {
         setName(name);
         if (!none.isEmpty()) addItem("");
         methods.forEach(this::addItem);
-        setRenderer(new Renderer(none, colours));
+        setRenderer(new Renderer(none, colors));
         setMaximumRowCount(20);
         addActionListener(
                 e -> {
@@ -59,11 +59,11 @@ public final class MethodChooser extends JComboBox<String> {
         private static final long serialVersionUID = 1L;
 
         private final String none;
-        private final transient TopicColors colours;
+        private final transient TopicColors colors;
 
-        Renderer(String none, TopicColors colours) {
+        Renderer(String none, TopicColors colors) {
             this.none = none;
-            this.colours = colours;
+            this.colors = colors;
         }
 
         @Override
@@ -73,7 +73,7 @@ public final class MethodChooser extends JComboBox<String> {
             String method = value == null ? "" : value.toString();
             if (method.equals(OwnMethods.NAME)) setText(called);
             if (method.isEmpty()) setText(none);
-            else setIcon(new MethodSwatch(method, colours));
+            else setIcon(new MethodSwatch(method, colors));
             return this;
         }
     }

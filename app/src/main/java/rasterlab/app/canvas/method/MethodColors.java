@@ -19,9 +19,9 @@ public final class MethodColors {
     public static final Color GREEN = new Color(0x009E73);
     public static final Color YELLOW = new Color(0xF0E442);
     public static final Color BLUE = new Color(0x0072B2);
-    public static final Color VERMILLION = PixelMark.COLOUR;
+    public static final Color VERMILLION = PixelMark.COLOR;
     public static final Color PURPLE = new Color(0xCC79A7);
-    public static final Color GREY = new Color(0x7F7F7F);
+    public static final Color GRAY = new Color(0x7F7F7F);
 
     /** This and the next two: P. Tol, Colour schemes, 2021, palette "muted". */
     public static final Color WINE = new Color(0x882255);
@@ -73,7 +73,7 @@ public final class MethodColors {
                     PURPLE,
                     SKY_BLUE,
                     WINE,
-                    GREY,
+                    GRAY,
                     YELLOW,
                     INDIGO,
                     OLIVE,
@@ -92,8 +92,8 @@ public final class MethodColors {
      * The colour's darker or lighter kin that stands out from a ground with a contrast of at least
      * 3, for the edges of pixels.
      */
-    public static Color edgeOn(Color ground, Color colour) {
-        return standingOut(ground, colour, 3);
+    public static Color edgeOn(Color ground, Color color) {
+        return standingOut(ground, color, 3);
     }
 
     /**
@@ -101,24 +101,23 @@ public final class MethodColors {
      *
      * <p>Source: W3C, Web Content Accessibility Guidelines 2.1, 2018, 1.4.3.
      */
-    public static Color textOn(Color ground, Color colour) {
-        return standingOut(ground, colour, 4.5);
+    public static Color textOn(Color ground, Color color) {
+        return standingOut(ground, color, 4.5);
     }
 
     /**
      * The colour, or where that drowns in a dark ground its kin there, with a contrast of at least
      * 3: for wide lines and marks.
      */
-    public static Color lineOn(Color ground, Color colour) {
-        Color kin =
-                inkOn(ground).equals(Color.WHITE) ? ON_DARK.getOrDefault(colour, colour) : colour;
+    public static Color lineOn(Color ground, Color color) {
+        Color kin = inkOn(ground).equals(Color.WHITE) ? ON_DARK.getOrDefault(color, color) : color;
         return contrast(kin, ground) >= 3 ? kin : edgeOn(ground, kin);
     }
 
-    private static Color standingOut(Color ground, Color colour, double contrast) {
+    private static Color standingOut(Color ground, Color color, double contrast) {
         Color end = inkOn(ground);
         for (int part = 1; part < 16; part++) {
-            Color mixed = mix(colour, end, part / 16.0);
+            Color mixed = mix(color, end, part / 16.0);
             if (contrast(mixed, ground) >= contrast) return mixed;
         }
         return end;
@@ -157,10 +156,10 @@ public final class MethodColors {
         return Math.max(a, b) / Math.min(a, b);
     }
 
-    private static double luminance(Color colour) {
-        return 0.2126 * linear(colour.getRed())
-                + 0.7152 * linear(colour.getGreen())
-                + 0.0722 * linear(colour.getBlue());
+    private static double luminance(Color color) {
+        return 0.2126 * linear(color.getRed())
+                + 0.7152 * linear(color.getGreen())
+                + 0.0722 * linear(color.getBlue());
     }
 
     /** Converts an sRGB level in 0..255 to linear light in [0, 1]. */

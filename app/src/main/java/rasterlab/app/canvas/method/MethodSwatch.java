@@ -9,15 +9,15 @@ import java.awt.RenderingHints;
 import javax.swing.Icon;
 
 /** A square of the method's colour, with an edge that is seen on any background. */
-public record MethodSwatch(String method, TopicColors colours) implements Icon {
+public record MethodSwatch(String method, TopicColors colors) implements Icon {
     @Override
     public void paintIcon(Component c, Graphics g, int x, int y) {
         var copy = (Graphics2D) g.create();
         copy.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        Color colour = colours.of(method);
-        copy.setColor(colour);
+        Color color = colors.of(method);
+        copy.setColor(color);
         copy.fillRoundRect(x, y, getIconWidth(), getIconHeight(), 4, 4);
-        copy.setColor(MethodColors.edgeOn(c.getBackground(), colour));
+        copy.setColor(MethodColors.edgeOn(c.getBackground(), color));
         copy.drawRoundRect(x, y, getIconWidth() - 1, getIconHeight() - 1, 4, 4);
         copy.dispose();
     }

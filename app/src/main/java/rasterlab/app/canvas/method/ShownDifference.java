@@ -45,7 +45,7 @@ public record ShownDifference(Kind kind, List<Object> parts) {
         /** The point is not in the middle, at which spots look. */
         POINT_ASIDE,
         /** A colour is brought into the cube. */
-        COLOUR_CUT,
+        COLOR_CUT,
         /** A point at which is divided by 0 is nowhere. */
         NO_IMAGE,
         /** Many of the method's points that are off cannot be told apart from the exact ones. */

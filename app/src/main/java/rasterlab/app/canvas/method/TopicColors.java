@@ -34,12 +34,12 @@ public record TopicColors(Map<String, Color> own) {
         var left = new ArrayList<Color>(MethodColors.PALETTE);
         methods.forEach(method -> left.remove(own.get(method)));
         if (left.isEmpty()) left.addAll(MethodColors.PALETTE);
-        var colours = new LinkedHashMap<String, Color>();
+        var colors = new LinkedHashMap<String, Color>();
         int next = 0;
         for (String method : methods) {
-            Color ownColour = own.get(method);
-            colours.put(method, ownColour != null ? ownColour : left.get(next++ % left.size()));
+            Color ownColor = own.get(method);
+            colors.put(method, ownColor != null ? ownColor : left.get(next++ % left.size()));
         }
-        return colours;
+        return colors;
     }
 }

@@ -9,36 +9,36 @@ public final class VolumePicture {
     private final VolumeSpace space;
     private final VolumeViewpoint view;
     private final Matrix4d toShown;
-    private final Matrix4d toNormalised;
+    private final Matrix4d toNormalized;
 
     public VolumePicture(VolumeScene scene) {
         space = scene.space();
         view = scene.view();
-        toNormalised = space == VolumeSpace.EYE ? scene.screen().normalize() : new Matrix4d();
+        toNormalized = space == VolumeSpace.EYE ? scene.screen().normalize() : new Matrix4d();
         toShown =
                 space == VolumeSpace.CANONICAL
                         ? ProjectionMatrices.canonical(scene.zmin())
-                        : new Matrix4d(toNormalised).invert();
+                        : new Matrix4d(toNormalized).invert();
     }
 
     /** The picture of a point; after the division not finite for one at the eye. */
-    public ClipPoint of(SpacePoint normalised) {
-        return view.picture(shown(normalised));
+    public ClipPoint of(SpacePoint normalized) {
+        return view.picture(shown(normalized));
     }
 
     /** The point in the space that is shown. */
-    public SpacePoint shown(SpacePoint normalised) {
-        return image(toShown, normalised);
+    public SpacePoint shown(SpacePoint normalized) {
+        return image(toShown, normalized);
     }
 
     /** Whether a picture between two points is the straight line between their pictures. */
-    public boolean inFront(SpacePoint normalised) {
-        return space != VolumeSpace.CANONICAL || normalised.z() > 0;
+    public boolean inFront(SpacePoint normalized) {
+        return space != VolumeSpace.CANONICAL || normalized.z() > 0;
     }
 
     /** The point moved parallel to the picture so that it is seen at that place. */
-    SpacePoint lifted(SpacePoint normalised, ClipPoint picture) {
-        return image(toNormalised, view.lifted(shown(normalised), picture));
+    SpacePoint lifted(SpacePoint normalized, ClipPoint picture) {
+        return image(toNormalized, view.lifted(shown(normalized), picture));
     }
 
     private static SpacePoint image(Matrix4d matrix, SpacePoint p) {

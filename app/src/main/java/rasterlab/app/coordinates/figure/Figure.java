@@ -33,8 +33,8 @@ public record Figure(List<Mark> marks, boolean ruled, List<Rectangle> taken)
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        var painter = new FigurePainter(g, map, colours, marks, taken);
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        var painter = new FigurePainter(g, map, colors, marks, taken);
         for (Mark mark : marks) {
             if (cancelled.getAsBoolean()) throw new CancellationException();
             painter.paint(mark);

@@ -1,8 +1,8 @@
 package rasterlab.app.coordinates.figure;
 
 import static rasterlab.app.canvas.method.MethodColors.BLUE;
+import static rasterlab.app.canvas.method.MethodColors.GRAY;
 import static rasterlab.app.canvas.method.MethodColors.GREEN;
-import static rasterlab.app.canvas.method.MethodColors.GREY;
 import static rasterlab.app.canvas.method.MethodColors.OLIVE;
 import static rasterlab.app.canvas.method.MethodColors.ORANGE;
 import static rasterlab.app.canvas.method.MethodColors.PURPLE;
@@ -18,7 +18,7 @@ public final class FigureColors {
             new TopicColors(
                     Map.ofEntries(
                             Map.entry("direct", BLUE),
-                            Map.entry("float", GREY),
+                            Map.entry("float", GRAY),
                             Map.entry("table", ORANGE),
                             Map.entry("buneman-textbook", PURPLE),
                             Map.entry("buneman", GREEN),

@@ -29,7 +29,7 @@ final class FigurePainter {
 
     private final Graphics2D g;
     private final PlaneMap map;
-    private final StageColors colours;
+    private final StageColors colors;
     private final MarkLabelPlaces places;
 
     /**
@@ -39,12 +39,12 @@ final class FigurePainter {
     FigurePainter(
             Graphics2D g,
             PlaneMap map,
-            StageColors colours,
+            StageColors colors,
             List<Mark> marks,
             List<Rectangle> taken) {
         this.g = g;
         this.map = map;
-        this.colours = colours;
+        this.colors = colors;
         var lines = new ArrayList<Line2D>();
         for (Mark mark : marks)
             if (mark instanceof Mark.Line line) add(lines, line.from(), line.to());
@@ -58,7 +58,7 @@ final class FigurePainter {
     }
 
     void paint(Mark mark) {
-        g.setColor(colour(mark.ink()));
+        g.setColor(color(mark.ink()));
         g.setStroke(stroke(mark.ink().role()));
         if (mark instanceof Mark.Line line) path(List.of(line.from(), line.to()));
         else if (mark instanceof Mark.Path path) path(path.places());
@@ -71,10 +71,10 @@ final class FigurePainter {
         else if (mark instanceof Mark.Beside beside) beside(beside);
     }
 
-    private Color colour(MarkInk ink) {
+    private Color color(MarkInk ink) {
         return switch (ink.role()) {
-            case OBJECT -> colours.ink();
-            case GHOST, HELP -> colours.axis();
+            case OBJECT -> colors.ink();
+            case GHOST, HELP -> colors.axis();
             case AXIS_X -> MethodColors.ORANGE;
             case AXIS_Y -> MethodColors.GREEN;
             case AXIS_Z, PLANE, EDGE -> MethodColors.SKY_BLUE;
@@ -202,13 +202,13 @@ final class FigurePainter {
     private void label(String label, double middleX, double middleY) {
         if (label.isEmpty()) return;
         FontMetrics metrics = g.getFontMetrics();
-        Color ground = colours.ground();
+        Color ground = colors.ground();
         Plates.plate(
                 g,
                 label,
                 (int) Math.round(middleX - metrics.stringWidth(label) / 2.0),
                 (int) Math.round(middleY + metrics.getAscent() / 2.0 - 1),
                 new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 190),
-                colours.ink());
+                colors.ink());
     }
 }

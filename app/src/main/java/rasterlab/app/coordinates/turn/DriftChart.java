@@ -177,41 +177,41 @@ final class DriftChart extends SelfDrawn {
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         Plot plot = plot();
         g.setFont(plot.font);
-        StageColors colours = StageColors.now();
-        g.setColor(colours.ground());
+        StageColors colors = StageColors.now();
+        g.setColor(colors.ground());
         g.fillRect(0, 0, getWidth(), getHeight());
-        paintGrid(g, plot, colours);
-        drifts.forEach(each -> paintCurve(g, plot, each, colours));
-        paintNames(g, plot, colours);
+        paintGrid(g, plot, colors);
+        drifts.forEach(each -> paintCurve(g, plot, each, colors));
+        paintNames(g, plot, colors);
     }
 
-    private void paintGrid(Graphics2D g, Plot plot, StageColors colours) {
+    private void paintGrid(Graphics2D g, Plot plot, StageColors colors) {
         FontMetrics metrics = g.getFontMetrics();
         int every = 2;
         while (plot.y(0) - plot.y(every) < metrics.getAscent() && every < DECADES_OF_ERROR)
             every += 2;
         for (int decade = HIGHEST - 1; decade > LOWEST; decade -= every)
             if (plot.y(LOWEST) - plot.y(decade) >= metrics.getAscent())
-                paintLevel(g, plot, decade, power(decade), colours);
-        paintLevel(g, plot, LOWEST, "0", colours);
+                paintLevel(g, plot, decade, power(decade), colors);
+        paintLevel(g, plot, LOWEST, "0", colors);
         every = 1;
         while (plot.x(every) - plot.x(0) < metrics.stringWidth(power(DECADES)) + 6
                 && every < DECADES) every++;
         for (int decade = 0; decade <= DECADES; decade++) {
-            g.setColor(colours.grid());
+            g.setColor(colors.grid());
             g.draw(
                     new Line2D.Double(
                             plot.x(decade), plot.y(LOWEST), plot.x(decade), plot.y(HIGHEST)));
-            g.setColor(colours.ink());
+            g.setColor(colors.ink());
             if (decade % every == 0)
-                centred(
+                centered(
                         g,
                         power(decade),
                         plot.x(decade),
                         plot.y(LOWEST) + 4.0 + metrics.getAscent());
         }
-        g.setColor(colours.ink());
-        centred(
+        g.setColor(colors.ink());
+        centered(
                 g,
                 texts.text("chart.turns"),
                 (plot.x(0) + plot.x(DECADES)) / 2,
@@ -226,21 +226,21 @@ final class DriftChart extends SelfDrawn {
     }
 
     private static void paintLevel(
-            Graphics2D g, Plot plot, int decade, String said, StageColors colours) {
-        g.setColor(colours.grid());
+            Graphics2D g, Plot plot, int decade, String said, StageColors colors) {
+        g.setColor(colors.grid());
         g.draw(new Line2D.Double(plot.x(0), plot.y(decade), plot.x(DECADES), plot.y(decade)));
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         float left = (float) (plot.x(0) - BESIDE - g.getFontMetrics().stringWidth(said));
         g.drawString(said, left, (float) plot.y(decade) + 4);
     }
 
-    private static void centred(Graphics2D g, String said, double x, double y) {
+    private static void centered(Graphics2D g, String said, double x, double y) {
         double left = x - g.getFontMetrics().stringWidth(said) / 2.0;
         g.drawString(said, (float) Math.max(BESIDE, left), (float) y);
     }
 
-    private void paintCurve(Graphics2D g, Plot plot, TurnScene.Drift drift, StageColors colours) {
-        g.setColor(colour(drift, colours));
+    private void paintCurve(Graphics2D g, Plot plot, TurnScene.Drift drift, StageColors colors) {
+        g.setColor(color(drift, colors));
         g.setStroke(new BasicStroke(drift.method().equals(chosen) ? 3.2f : 1.8f));
         double beforeX = Double.NaN;
         double beforeY = Double.NaN;
@@ -254,8 +254,8 @@ final class DriftChart extends SelfDrawn {
         }
     }
 
-    private static Color colour(TurnScene.Drift drift, StageColors colours) {
-        return MethodColors.edgeOn(colours.ground(), FigureColors.OWN.of(drift.method()));
+    private static Color color(TurnScene.Drift drift, StageColors colors) {
+        return MethodColors.edgeOn(colors.ground(), FigureColors.OWN.of(drift.method()));
     }
 
     private static double decade(double error) {
@@ -263,17 +263,17 @@ final class DriftChart extends SelfDrawn {
     }
 
     /** Paints the names beside the curves' ends, from below, none over another. */
-    private void paintNames(Graphics2D g, Plot plot, StageColors colours) {
+    private void paintNames(Graphics2D g, Plot plot, StageColors colors) {
         var sorted = new ArrayList<>(drifts);
         sorted.sort(Comparator.comparingDouble(plot::end).reversed());
         double[] places = places(sorted, plot, g.getFontMetrics().getHeight());
         for (int i = 0; i < sorted.size(); i++) {
             TurnScene.Drift each = sorted.get(i);
             double y = places[i];
-            g.setColor(colour(each, colours));
+            g.setColor(color(each, colors));
             g.setStroke(new BasicStroke(1.4f));
             g.draw(new Line2D.Double(plot.x(DECADES), plot.end(each), plot.x(DECADES) + LEAD, y));
-            g.setColor(colours.ink());
+            g.setColor(colors.ink());
             boolean own = each.method().equals(chosen);
             g.setFont(g.getFont().deriveFont(own ? Font.BOLD : Font.PLAIN));
             g.drawString(called(each), (float) plot.x(DECADES) + LEAD + 5, (float) y + 4);

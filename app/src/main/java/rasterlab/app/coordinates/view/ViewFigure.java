@@ -150,7 +150,7 @@ final class ViewFigure {
                                 new StagePoint(0, height)),
                         MarkInk.PLANE));
         var fit = ViewStages.fit(choice);
-        marks.add(new Mark.Cross(new StagePoint(fit.centreX(), fit.centreY()), MarkInk.HELP, ""));
+        marks.add(new Mark.Cross(new StagePoint(fit.centerX(), fit.centerY()), MarkInk.HELP, ""));
     }
 
     /** Draws left and right one over the other, or in the halves of a picture twice as wide. */
@@ -234,15 +234,15 @@ final class ViewFigure {
                 Chains.product(Chains.cells(ViewStages.projection(choice)));
 
         void draw(ViewScene.Image image) {
-            List<Vector3d> centres = new ArrayList<>();
+            List<Vector3d> centers = new ArrayList<>();
             for (int axis = 0; axis < 3; axis++)
-                VanishingPoints.centre(projection, axis)
-                        .ifPresent(at -> centres.add(back.transformPosition(at)));
-            for (Vector3d centre : centres)
+                VanishingPoints.center(projection, axis)
+                        .ifPresent(at -> centers.add(back.transformPosition(at)));
+            for (Vector3d center : centers)
                 marks.add(
                         new Mark.Cross(
-                                seen(centre.x, centre.y, centre.z).get(0), MarkInk.EYE, "E"));
-            if (centres.size() == 1) sight(image, centres.get(0));
+                                seen(center.x, center.y, center.z).get(0), MarkInk.EYE, "E"));
+            if (centers.size() == 1) sight(image, centers.get(0));
         }
 
         private void sight(ViewScene.Image image, Vector3d eye) {

@@ -76,7 +76,7 @@ final class ViewReadings {
 
     String fit() {
         PictureFit fit = ViewStages.fit(model.choice());
-        return texts.text("fit.value", number(fit.pixelsPerUnit()), fit.centreX(), fit.centreY());
+        return texts.text("fit.value", number(fit.pixelsPerUnit()), fit.centerX(), fit.centerY());
     }
 
     String error() {

@@ -135,7 +135,7 @@ final class ViewStages {
         return List.of(
                 MatrixCall.of("SCALE3DX", s),
                 MatrixCall.of("SCALE3DY", choice.kind().yDown() ? s : -s),
-                MatrixCall.of("TRANSL3D", fit.centreX(), fit.centreY(), 0));
+                MatrixCall.of("TRANSL3D", fit.centerX(), fit.centerY(), 0));
     }
 
     static PictureFit fit(ViewChoice choice) {

@@ -35,12 +35,12 @@ record RasterPicture(BufferedImage picture, int dots, BufferedImage raster)
         var raster = new BufferedImage(pixels.width, pixels.height, BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < pixels.height; y++)
             for (int x = 0; x < pixels.width; x++)
-                raster.setRGB(x, y, colour(picture, x * dots, y * dots, dots));
+                raster.setRGB(x, y, color(picture, x * dots, y * dots, dots));
         return new RasterPicture(picture, dots, raster);
     }
 
     /** The mark's, where there is one in that square; else that of its middle. */
-    private static int colour(BufferedImage picture, int left, int top, int dots) {
+    private static int color(BufferedImage picture, int left, int top, int dots) {
         for (int y = top; y < top + dots; y++)
             for (int x = left; x < left + dots; x++)
                 if (isMark(picture.getRGB(x, y))) return PixelMark.ARGB;
@@ -49,7 +49,7 @@ record RasterPicture(BufferedImage picture, int dots, BufferedImage raster)
 
     private static boolean isMark(int rgb) {
         var dot = new Color(rgb);
-        Color mark = PixelMark.COLOUR;
+        Color mark = PixelMark.COLOR;
         return Math.abs(dot.getRed() - mark.getRed())
                         + Math.abs(dot.getGreen() - mark.getGreen())
                         + Math.abs(dot.getBlue() - mark.getBlue())

@@ -24,7 +24,7 @@ public final class SpeedPicture implements PaintedPicture {
     private final SpeedChart chart;
     private Optional<Painted> painted = Optional.empty();
 
-    private record Asked(Dimension place, double dots, StageColors colours) {}
+    private record Asked(Dimension place, double dots, StageColors colors) {}
 
     private record Painted(Asked asked, BufferedImage image) {}
 
@@ -62,14 +62,14 @@ public final class SpeedPicture implements PaintedPicture {
                         (int) Math.ceil(place.height * asked.dots()),
                         BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
-        graphics.setColor(asked.colours().ground());
+        graphics.setColor(asked.colors().ground());
         graphics.fillRect(0, 0, image.getWidth(), image.getHeight());
         graphics.scale(asked.dots() * type, asked.dots() * type);
         var size =
                 new Dimension(
                         (int) Math.round(place.width / type),
                         (int) Math.round(place.height / type));
-        chart.paint(ChartLook.on(asked.colours()), size, graphics);
+        chart.paint(ChartLook.on(asked.colors()), size, graphics);
         graphics.dispose();
         return image;
     }

@@ -23,7 +23,7 @@ public final class VerdictLook {
     }
 
     /** The colour for a verdict's words on that ground. */
-    public static Color colour(String verdict, Color ground) {
+    public static Color color(String verdict, Color ground) {
         Color own = right(verdict) ? MethodColors.GREEN : MethodColors.VERMILLION;
         return MethodColors.textOn(ground, own);
     }

@@ -222,9 +222,9 @@ public final class CaseTable extends JTable {
         public Component getTableCellRendererComponent(
                 JTable table, Object value, boolean on, boolean focused, int row, int column) {
             super.getTableCellRendererComponent(table, value, on, focused, row, column);
-            boolean coloured =
+            boolean colored =
                     !on && VerdictLook.tried(shown.verdict()) && column != 1 && column != 2;
-            if (coloured) setForeground(VerdictLook.colour(shown.verdict(), getBackground()));
+            if (colored) setForeground(VerdictLook.color(shown.verdict(), getBackground()));
             else if (!on) setForeground(table.getForeground());
             String said = shown.said().in(texts.language());
             setToolTipText(said.isEmpty() ? titleAndName() : said);

@@ -109,7 +109,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     private void putTogether() {
         notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
-        unsaved.setForeground(VerdictLook.colour("wrong", getBackground()));
+        unsaved.setForeground(VerdictLook.color("wrong", getBackground()));
         if (LargeType.now()) head = Optional.of(chooser("8 10 4 10"));
         result.setBorder(BorderFactory.createEmptyBorder(6, 10, 8, 10));
         rooms = new ExercisePanes(texts, kept.rooms(), task(), work(), result);

@@ -239,13 +239,13 @@ final class JoinForm extends JPanel {
                     case NAME -> student;
                     case TOKEN -> token;
                 };
-        tell(field, refused.problem().in(texts), VerdictLook.colour("wrong", getBackground()));
+        tell(field, refused.problem().in(texts), VerdictLook.color("wrong", getBackground()));
         EventQueue.invokeLater(field::requestFocusInWindow);
     }
 
-    private void tell(JTextField field, String said, Color colour) {
+    private void tell(JTextField field, String said, Color color) {
         problem.setText(said);
-        problem.setForeground(colour);
+        problem.setForeground(color);
         problem.setSize(address.getWidth(), Short.MAX_VALUE);
         remove(problem);
         add(problem, "skip, growx, wmin 0", List.of(getComponents()).indexOf(field) + 1);

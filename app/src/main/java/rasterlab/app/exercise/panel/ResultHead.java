@@ -101,7 +101,7 @@ final class ResultHead extends JPanel {
                 VerdictLook.sign(said.verdict())
                         + " "
                         + GradingVerdict.word(said.verdict(), texts.locale().getLanguage()));
-        verdict.setForeground(VerdictLook.colour(said.verdict(), getBackground()));
+        verdict.setForeground(VerdictLook.color(said.verdict(), getBackground()));
         points.setText(points(said));
         where.setText(where(state, said));
         where.setToolTipText(said.isolation().in(texts.language()));

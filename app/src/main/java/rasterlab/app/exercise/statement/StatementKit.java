@@ -83,12 +83,12 @@ final class StatementKit extends HTMLEditorKit {
         style.addRule("p.displayed { text-align: center; margin: 6 0 4 0 }");
         style.addRule(
                 "i.mistake { color: "
-                        + css(VerdictLook.colour("wrong", StageColors.now().ground()))
+                        + css(VerdictLook.color("wrong", StageColors.now().ground()))
                         + " }");
         return style;
     }
 
-    private static String css(Color colour) {
-        return "#%06x".formatted(colour.getRGB() & 0xFFFFFF);
+    private static String css(Color color) {
+        return "#%06x".formatted(color.getRGB() & 0xFFFFFF);
     }
 }

@@ -145,7 +145,7 @@ public final class StatementPane extends JEditorPane implements Settling {
     /** One square for each character: {@code #} lit, {@code .} not. */
     private static Image squares(List<String> rows) {
         int cell = UIScale.scale(CELL);
-        var colours = StageColors.now();
+        var colors = StageColors.now();
         var image =
                 new BufferedImage(
                         rows.get(0).length() * cell + 1,
@@ -155,9 +155,9 @@ public final class StatementPane extends JEditorPane implements Settling {
         for (int y = 0; y < rows.size(); y++)
             for (int x = 0; x < rows.get(y).length(); x++) {
                 boolean lit = rows.get(y).charAt(x) == '#';
-                g.setColor(lit ? colours.ink() : colours.ground());
+                g.setColor(lit ? colors.ink() : colors.ground());
                 g.fillRect(x * cell, y * cell, cell, cell);
-                g.setColor(colours.grid());
+                g.setColor(colors.grid());
                 g.drawRect(x * cell, y * cell, cell, cell);
             }
         g.dispose();

@@ -37,7 +37,7 @@ final class TypesetView extends View {
     private static final FontRenderContext EXACT = new FontRenderContext(null, true, true);
 
     private final Typeset.Drawn formula;
-    private Color colour;
+    private Color color;
     private Font font;
     private double em;
 
@@ -61,7 +61,7 @@ final class TypesetView extends View {
         if (parent == null) return;
         var style = ((HTMLDocument) getDocument()).getStyleSheet();
         AttributeSet attributes = style.getViewAttributes(this);
-        colour = style.getForeground(attributes);
+        color = style.getForeground(attributes);
         Font around = style.getFont(attributes);
         if (!around.equals(font)) measure(around);
     }
@@ -138,7 +138,7 @@ final class TypesetView extends View {
     public void paint(Graphics g, Shape allocation) {
         Rectangle box = allocation.getBounds();
         var own = (Graphics2D) g.create();
-        own.setColor(colour);
+        own.setColor(color);
         if (getContainer() instanceof JTextComponent pane) {
             if (pane.getHighlighter() instanceof LayeredHighlighter marks)
                 marks.paintLayeredHighlights(

@@ -11,10 +11,10 @@ final class ColorCommand {
     private ColorCommand() {}
 
     static String of(ColorChoice choice) {
-        Colors colour = Colors.of(choice.model(), choice.in(choice.model()));
+        Colors color = Colors.of(choice.model(), choice.in(choice.model()));
         return "echo '%s' | ./lab run color %s"
                 .formatted(
-                        CommandInput.of(new ColorTopic().format(), colour),
+                        CommandInput.of(new ColorTopic().format(), color),
                         OwnWords.known(choice.method(), "formula", "color"));
     }
 }

@@ -75,7 +75,7 @@ final class ColorInspector {
                         "colourMethod",
                         methods,
                         name -> OwnWords.called(name, texts.language()),
-                        name -> model.colour(colour -> colour.withMethod(name)));
+                        name -> model.color(color -> color.withMethod(name)));
         column.row("colourMethod", method);
         for (ColorModel each : ColorModel.values())
             if (each != ColorModel.RGB) errors.put(each, column.value("trip." + each.code()));
@@ -98,7 +98,7 @@ final class ColorInspector {
                         of.highest(index),
                         false,
                         NOTCHES,
-                        value -> model.colour(colour -> colour.with(of, index, value)));
+                        value -> model.color(color -> color.with(of, index, value)));
         column.row(key, slider);
         rows.add(new Row(of, index, slider));
     }
@@ -110,12 +110,12 @@ final class ColorInspector {
     /** Shows the model's present state. */
     void refresh() {
         mode.refresh();
-        ColorChoice colour = model.state().colour();
+        ColorChoice color = model.state().color();
         hex.setText(
-                String.format(Locale.ROOT, "#%06X", colour.rgb())
-                        + (colour.outside() ? "   " + texts.text("outside") : ""));
+                String.format(Locale.ROOT, "#%06X", color.rgb())
+                        + (color.outside() ? "   " + texts.text("outside") : ""));
         for (Row row : rows) {
-            double value = colour.in(row.model())[row.index()];
+            double value = color.in(row.model())[row.index()];
             boolean hue = row.model().isHue(row.index());
             String said =
                     Double.isNaN(value) ? "–" : Shown.number(value, hue ? 0 : 3, texts.locale());
@@ -124,17 +124,17 @@ final class ColorInspector {
                             Double.isNaN(value) ? 0 : value,
                             hue && !Double.isNaN(value) ? said + "°" : said);
         }
-        method.show(colour.method());
-        boolean own = colour.method().equals(OwnMethods.NAME);
-        Optional<OwnTrips.Trips> mine = own ? model.ownTrips(colour) : Optional.empty();
+        method.show(color.method());
+        boolean own = color.method().equals(OwnMethods.NAME);
+        Optional<OwnTrips.Trips> mine = own ? model.ownTrips(color) : Optional.empty();
         Map<ColorModel, Double> known =
-                own ? mine.map(OwnTrips.Trips::errors).orElse(Map.of()) : colour.roundTrips();
+                own ? mine.map(OwnTrips.Trips::errors).orElse(Map.of()) : color.roundTrips();
         errors.forEach(
                 (each, label) ->
                         label.setText(known.containsKey(each) ? error(known.get(each)) : "—"));
         about.show(
                 explanations,
-                colour.method(),
+                color.method(),
                 "",
                 mine.map(one -> one.refusalIn(texts.language())).orElse(""));
     }

@@ -41,7 +41,7 @@ final class CubePainter {
     private static final int EDGE = 6;
 
     private final Graphics2D g;
-    private final ColorChoice colour;
+    private final ColorChoice color;
     private final Texts texts;
     private final double middleX;
     private final double middleY;
@@ -49,9 +49,9 @@ final class CubePainter {
     private final int width;
     private final int height;
 
-    CubePainter(Graphics2D g, ColorChoice colour, Texts texts, int width, int height) {
+    CubePainter(Graphics2D g, ColorChoice color, Texts texts, int width, int height) {
         this.g = g;
-        this.colour = colour;
+        this.color = color;
         this.texts = texts;
         middleX = width / 2.0;
         middleY = height / 2.0;
@@ -79,8 +79,8 @@ final class CubePainter {
         double x = r - 0.5;
         double y = g - 0.5;
         double z = b - 0.5;
-        double forward = x * Math.sin(colour.yaw()) + y * Math.cos(colour.yaw());
-        return -forward * Math.cos(colour.pitch()) + z * Math.sin(colour.pitch());
+        double forward = x * Math.sin(color.yaw()) + y * Math.cos(color.yaw());
+        return -forward * Math.cos(color.pitch()) + z * Math.sin(color.pitch());
     }
 
     /** Whether of the two walls across an axis the one at 1 is farther. */
@@ -94,9 +94,9 @@ final class CubePainter {
         double x = r - 0.5;
         double y = g - 0.5;
         double z = b - 0.5;
-        double right = x * Math.cos(colour.yaw()) - y * Math.sin(colour.yaw());
-        double forward = x * Math.sin(colour.yaw()) + y * Math.cos(colour.yaw());
-        double up = z * Math.cos(colour.pitch()) + forward * Math.sin(colour.pitch());
+        double right = x * Math.cos(color.yaw()) - y * Math.sin(color.yaw());
+        double forward = x * Math.sin(color.yaw()) + y * Math.cos(color.yaw());
+        double up = z * Math.cos(color.pitch()) + forward * Math.sin(color.pitch());
         return new Point2D.Double(middleX + unit * right, middleY - unit * up);
     }
 
@@ -140,32 +140,32 @@ final class CubePainter {
     }
 
     private void inside() {
-        double[] rgb = colour.in(ColorModel.RGB);
-        double grey = (rgb[0] + rgb[1] + rgb[2]) / 3;
+        double[] rgb = color.in(ColorModel.RGB);
+        double gray = (rgb[0] + rgb[1] + rgb[2]) / 3;
         dashed(at(0, 0, 0), at(1, 1, 1), Color.GRAY);
         line(at(0, 0, 0), at(rgb[0], 0, 0), new Color(0xE03030));
         line(at(rgb[0], 0, 0), at(rgb[0], rgb[1], 0), new Color(0x20A030));
         line(at(rgb[0], rgb[1], 0), at(rgb[0], rgb[1], rgb[2]), new Color(0x3050E0));
-        dashed(at(grey, grey, grey), at(rgb[0], rgb[1], rgb[2]), Color.BLACK);
-        ball(at(grey, grey, grey), 5, new Color((float) grey, (float) grey, (float) grey));
-        ball(at(rgb[0], rgb[1], rgb[2]), 10, new Color(colour.rgb()));
+        dashed(at(gray, gray, gray), at(rgb[0], rgb[1], rgb[2]), Color.BLACK);
+        ball(at(gray, gray, gray), 5, new Color((float) gray, (float) gray, (float) gray));
+        ball(at(rgb[0], rgb[1], rgb[2]), 10, new Color(color.rgb()));
     }
 
-    private void line(Point2D from, Point2D to, Color colour) {
+    private void line(Point2D from, Point2D to, Color color) {
         g.setStroke(new BasicStroke(5f, 1, 1));
         g.setColor(Color.WHITE);
         g.draw(new Line2D.Double(from, to));
         g.setStroke(new BasicStroke(2.6f, 1, 1));
-        g.setColor(colour);
+        g.setColor(color);
         g.draw(new Line2D.Double(from, to));
     }
 
-    private void dashed(Point2D from, Point2D to, Color colour) {
+    private void dashed(Point2D from, Point2D to, Color color) {
         g.setStroke(new BasicStroke(3.4f, 1, 1));
         g.setColor(new Color(255, 255, 255, 150));
         g.draw(new Line2D.Double(from, to));
         g.setStroke(new BasicStroke(1.6f, 1, 1, 10f, new float[] {6f, 5f}, 0f));
-        g.setColor(colour);
+        g.setColor(color);
         g.draw(new Line2D.Double(from, to));
     }
 
@@ -215,7 +215,7 @@ final class CubePainter {
 
     private void label(String name, double x, double y) {
         var metrics = g.getFontMetrics();
-        StageColors colours = StageColors.now();
+        StageColors colors = StageColors.now();
         int wide = metrics.stringWidth(name);
         Plates.plate(
                 g,
@@ -227,16 +227,16 @@ final class CubePainter {
                                 Math.min(
                                         height - EDGE - metrics.getDescent(),
                                         y + metrics.getAscent() / 2.0)),
-                colours.ground(),
-                colours.ink());
+                colors.ground(),
+                colors.ink());
     }
 
     /** Draws the colour itself, large enough to be judged. */
     private void swatch() {
-        String code = String.format(Locale.ROOT, "#%06X", colour.rgb());
+        String code = String.format(Locale.ROOT, "#%06X", color.rgb());
         int wide = (int) Math.max(g.getFontMetrics().stringWidth(code) + 20, unit * 0.28);
         int high = (int) Math.max(g.getFontMetrics().getHeight() + 12, unit * 0.28);
-        var fill = new Color(colour.rgb());
+        var fill = new Color(color.rgb());
         g.setColor(fill);
         g.fillRoundRect(8, 8, wide, high, 12, 12);
         g.setColor(StageColors.now().axis());

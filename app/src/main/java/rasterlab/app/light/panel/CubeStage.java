@@ -60,7 +60,7 @@ final class CubeStage extends SelfDrawn {
         KeyBinding.whenFocused(
                 this,
                 KeyStroke.getKeyStroke(key, 0),
-                () -> model.colour(colour -> colour.turned(right, down)));
+                () -> model.color(color -> color.turned(right, down)));
     }
 
     @Override
@@ -80,7 +80,7 @@ final class CubeStage extends SelfDrawn {
         String said = said();
         int below = !said.isEmpty() ? NOTE_LINES * g.getFontMetrics().getHeight() : 0;
         int high = Math.max(1, getHeight() - below);
-        new CubePainter(cube, model.state().colour(), texts, getWidth(), high).paint();
+        new CubePainter(cube, model.state().color(), texts, getWidth(), high).paint();
         cube.dispose();
         if (!said.isEmpty()) Plates.sentenceAbove(g, said, getWidth(), getHeight() - 12);
     }
@@ -92,9 +92,9 @@ final class CubeStage extends SelfDrawn {
     private String said() {
         Optional<HazardNote> note = model.state().note();
         if (note.isPresent()) return note.get().in(texts.language());
-        ColorChoice colour = model.state().colour();
-        if (!colour.method().equals(OwnMethods.NAME)) return "";
-        return model.ownTrips(colour).map(trips -> trips.refusalIn(texts.language())).orElse("");
+        ColorChoice color = model.state().color();
+        if (!color.method().equals(OwnMethods.NAME)) return "";
+        return model.ownTrips(color).map(trips -> trips.refusalIn(texts.language())).orElse("");
     }
 
     @Override
@@ -119,7 +119,7 @@ final class CubeStage extends SelfDrawn {
         public void mouseDragged(MouseEvent e) {
             double right = (e.getX() - last.x) * DRAG;
             double down = (e.getY() - last.y) * DRAG;
-            model.colour(colour -> colour.turned(right, down));
+            model.color(color -> color.turned(right, down));
             last = e.getPoint();
         }
 

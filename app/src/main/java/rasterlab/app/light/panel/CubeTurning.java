@@ -14,11 +14,11 @@ final class CubeTurning extends TurnSteps {
 
     @Override
     protected double turns() {
-        return model.state().colour().yaw() / (2 * Math.PI);
+        return model.state().color().yaw() / (2 * Math.PI);
     }
 
     @Override
     protected void turnTo(double turns) {
-        model.colour(colour -> colour.turned(2 * Math.PI * turns - colour.yaw(), 0));
+        model.color(color -> color.turned(2 * Math.PI * turns - color.yaw(), 0));
     }
 }

@@ -25,7 +25,7 @@ final class LampControls {
     static final double FAR = 400;
 
     /** Colours to choose from, 0xRRGGBB. */
-    private static final List<Integer> COLOURS =
+    private static final List<Integer> COLORS =
             List.of(0xFFFFFF, 0xFFD9A0, 0x9EC9FF, 0xFF5040, 0x50E060, 0x5070FF);
 
     private static final int NOTCHES = 100;
@@ -36,7 +36,7 @@ final class LampControls {
     private final NameChooser lamp;
     private final JCheckBox on;
     private final NameChooser kind;
-    private final NameChooser colour;
+    private final NameChooser color;
     private final List<Setting> settings = new ArrayList<>();
     private boolean listing;
 
@@ -67,13 +67,13 @@ final class LampControls {
                         code -> texts.text("kind." + code),
                         code -> change(old -> old.withKind(kind(code))));
         column.row("kind", kind);
-        colour =
+        color =
                 new NameChooser(
                         "lampColour",
-                        COLOURS.stream().map(LampControls::hex).toList(),
+                        COLORS.stream().map(LampControls::hex).toList(),
                         code -> texts.textOr("lampColour." + code, "#" + code),
-                        code -> change(old -> old.coloured(Integer.parseInt(code, 16))));
-        column.row("lampColour", colour);
+                        code -> change(old -> old.colored(Integer.parseInt(code, 16))));
+        column.row("lampColour", color);
         slider("strength", Lamp.FAINTEST, Lamp.STRONGEST, true, Lamp::withStrength);
         slider("x", -FAR, FAR, (old, x) -> old.moved(x, old.y(), old.z()));
         slider("y", -FAR, FAR, (old, y) -> old.moved(old.x(), y, old.z()));
@@ -149,7 +149,7 @@ final class LampControls {
         lamp.show(Integer.toString(choice.selected()));
         on.setSelected(now.on());
         kind.show(now.kind().code());
-        colour.show(hex(now.rgb()));
+        color.show(hex(now.rgb()));
         boolean sun = now.kind() == Lamp.Kind.SUN;
         boolean spot = now.kind() == Lamp.Kind.SPOT;
         for (Setting each : settings) {

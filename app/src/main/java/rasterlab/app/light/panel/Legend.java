@@ -26,7 +26,7 @@ record Legend(List<Entry> entries) {
     /**
      * @param dashed how the curve is drawn
      */
-    record Entry(String name, Color colour, boolean dashed) {}
+    record Entry(String name, Color color, boolean dashed) {}
 
     Legend {
         entries = List.copyOf(entries);
@@ -66,7 +66,7 @@ record Legend(List<Entry> entries) {
             int x = places.get(i).x;
             int base = places.get(i).y + g.getFontMetrics().getAscent();
             g.setStroke(stroke(entries.get(i).dashed()));
-            g.setColor(entries.get(i).colour());
+            g.setColor(entries.get(i).color());
             g.draw(new Line2D.Double(x, base - 5, x + SAMPLE, base - 5));
             g.setColor(ink);
             g.drawString(entries.get(i).name(), x + TO_NAME, base);

@@ -25,7 +25,7 @@ import rasterlab.app.light.LightFrame;
 /** Draws the three pictures with what lies over them. */
 final class LightPainter {
     /** One for each shading, the same in the profile. */
-    static final List<Color> COLOURS =
+    static final List<Color> COLORS =
             List.of(MethodColors.ORANGE, MethodColors.SKY_BLUE, MethodColors.GREEN);
 
     private static final Stroke WIDE = new BasicStroke(4f, 1, 1);
@@ -100,23 +100,23 @@ final class LightPainter {
         for (int i = 0; i < choice.lamps().size(); i++) lamp(over, i, box);
         point(over, box);
         over.setFont(over.getFont().deriveFont(Font.BOLD));
-        Color colour = COLOURS.get(index);
+        Color color = COLORS.get(index);
         Plates.plate(
                 over,
                 name,
                 plate.x + 4,
                 plate.y + 1 + over.getFontMetrics().getAscent(),
-                colour,
-                MethodColors.inkOn(colour));
+                color,
+                MethodColors.inkOn(color));
         over.dispose();
     }
 
-    private void arrows(Graphics2D over, double[] ends, Color colour) {
+    private void arrows(Graphics2D over, double[] ends, Color color) {
         over.setStroke(ARROW);
         for (int at = 0; at < ends.length; at += 4) {
             double x = ends[at + 2] / scale;
             double y = ends[at + 3] / scale;
-            over.setColor(colour);
+            over.setColor(color);
             over.draw(new Line2D.Double(ends[at] / scale, ends[at + 1] / scale, x, y));
             over.fill(new Ellipse2D.Double(x - 1.6, y - 1.6, 3.2, 3.2));
         }

@@ -51,14 +51,14 @@ public final class LightPanel extends LabPanel {
     private final CubeStage cube;
     private final transient RowCard rows;
     private final transient LightInspector light;
-    private final transient ColorInspector colours;
+    private final transient ColorInspector colors;
     private final StepPlayer orbit;
     private final StepPlayer turning;
     private final transient LitSceneSaving saving;
     private final Actions lightActions;
-    private final Actions colourActions;
+    private final Actions colorActions;
     private StageGuide lightGuide;
-    private StageGuide colourGuide;
+    private StageGuide colorGuide;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -71,7 +71,7 @@ public final class LightPanel extends LabPanel {
         setName("light");
         texts = Texts.of("light", language);
         light = new LightInspector(model, texts);
-        colours = new ColorInspector(model, texts);
+        colors = new ColorInspector(model, texts);
         stage = new LightStage(model, texts);
         cube = new CubeStage(model, texts);
         Texts canvas = Texts.of("canvas", language);
@@ -81,7 +81,7 @@ public final class LightPanel extends LabPanel {
         orbit.reserve(texts.text("orbit", "−180"));
         turning.reserve("−359°");
         lightActions = actions(canvas, new ShownPicture("lighting", stage, stage::svg));
-        colourActions = actions(canvas, new ShownPicture("colours", cube, cube::svg));
+        colorActions = actions(canvas, new ShownPicture("colours", cube, cube::svg));
         var writing = new SceneWriting(this, language, lightActions::saved, onFailure);
         saving = new LitSceneSaving(model, texts, this, writing);
         lightActions.add("openScene", saving::open);
@@ -90,8 +90,8 @@ public final class LightPanel extends LabPanel {
         lightActions.addCopy("copyCommand", saving::tellCommands);
         lightActions.addQuestions(
                 () -> model.state().choice().arrows() ? "vertex-normals" : "shade-face");
-        colourActions.addCopy(
-                "copyCommand", told -> told.accept(ColorCommand.of(model.state().colour())));
+        colorActions.addCopy(
+                "copyCommand", told -> told.accept(ColorCommand.of(model.state().color())));
         rows = new RowCard(shown, cards, this::rows);
         orbit.bindKeys(stage);
         turning.bindKeys(cube);
@@ -102,8 +102,8 @@ public final class LightPanel extends LabPanel {
     public List<Runnable> parts() {
         var parts = new ArrayList<>(light.sections());
         parts.add(this::addLight);
-        parts.addAll(colours.sections());
-        parts.add(this::addColours);
+        parts.addAll(colors.sections());
+        parts.add(this::addColors);
         parts.add(this::listen);
         return parts;
     }
@@ -124,17 +124,17 @@ public final class LightPanel extends LabPanel {
         addCard(layout, ModeRow.LIGHT);
     }
 
-    private void addColours() {
-        var layout = new LabLayout(colourChips(), cube, colours.column(), colourActions, turning);
-        colourGuide =
+    private void addColors() {
+        var layout = new LabLayout(colorChips(), cube, colors.column(), colorActions, turning);
+        colorGuide =
                 layout.guide()
                         .of(
                                 new LabInput(
-                                        () -> model.state().colour().rgb(),
-                                        () -> model.state().colour().method(),
-                                        name -> model.colour(colour -> colour.withMethod(name)),
+                                        () -> model.state().color().rgb(),
+                                        () -> model.state().color().method(),
+                                        name -> model.color(color -> color.withMethod(name)),
                                         LightColors.OWN));
-        addCard(layout, ModeRow.COLOURS);
+        addCard(layout, ModeRow.COLORS);
     }
 
     /** The scene that normals of every method are lit in. */
@@ -201,7 +201,7 @@ public final class LightPanel extends LabPanel {
     }
 
     private String turningReading() {
-        double degrees = Math.toDegrees(model.state().colour().yaw()) % 360;
+        double degrees = Math.toDegrees(model.state().color().yaw()) % 360;
         return Shown.number(Math.rint(degrees), 0, texts.locale()) + "°";
     }
 
@@ -235,7 +235,7 @@ public final class LightPanel extends LabPanel {
     }
 
     /** Colours on which models or methods fail. */
-    private Chips colourChips() {
+    private Chips colorChips() {
         var chips = new Chips(texts, "colours.situations");
         chip(chips, "grey", 0.5, 0.5, 0.5);
         chip(chips, "black", 0, 0, 0);
@@ -253,13 +253,13 @@ public final class LightPanel extends LabPanel {
                         texts.text("colour." + name),
                         texts.text("colour." + name + ".hint"),
                         () -> {
-                            model.colour(colour -> withRgb(colour, rgb));
-                            judge(colourGuide, name, () -> LightVerdicts.ofColour(rgb));
+                            model.color(color -> withRgb(color, rgb));
+                            judge(colorGuide, name, () -> LightVerdicts.ofColor(rgb));
                         }));
     }
 
-    private static ColorChoice withRgb(ColorChoice colour, double... rgb) {
-        ColorChoice next = colour;
+    private static ColorChoice withRgb(ColorChoice color, double... rgb) {
+        ColorChoice next = color;
         for (int i = 0; i < 3; i++) next = next.with(ColorModel.RGB, i, rgb[i]);
         return next;
     }
@@ -268,7 +268,7 @@ public final class LightPanel extends LabPanel {
     @Override
     public void focusPicture() {
         if (model.rows().open()) rows.focusPicture();
-        else if (model.state().colours()) cube.requestFocusInWindow();
+        else if (model.state().colors()) cube.requestFocusInWindow();
         else stage.requestFocusInWindow();
     }
 
@@ -291,15 +291,15 @@ public final class LightPanel extends LabPanel {
             return;
         }
         rows.stop();
-        cards.show(shown, model.state().colours() ? ModeRow.COLOURS : ModeRow.LIGHT);
-        if (model.state().colours()) {
+        cards.show(shown, model.state().colors() ? ModeRow.COLORS : ModeRow.LIGHT);
+        if (model.state().colors()) {
             orbit.stop();
             cube.repaint();
-            colours.refresh();
+            colors.refresh();
             turning.refresh();
-            colourActions.refreshUndo();
-            colourGuide.refresh();
-            colourGuide.hint("light.colours", texts.text("first.colours"));
+            colorActions.refreshUndo();
+            colorGuide.refresh();
+            colorGuide.hint("light.colours", texts.text("first.colours"));
         } else {
             turning.stop();
             stage.repaint();

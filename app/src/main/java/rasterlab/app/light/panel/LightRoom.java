@@ -65,7 +65,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
 
     private Stream<TopicCard<LightLabModel>> lit() {
         return Stream.of(
-                card("color", colours()),
+                card("color", colors()),
                 lit(new ShadeTopic(), Set.of("phong", "blinn-phong"), LitInputs::point),
                 lit(new FaceTopic(), Set.of("flat", "gouraud", "phong"), LitInputs::face),
                 lit(
@@ -74,19 +74,19 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                         state -> Optional.of(LitInputs.body(state.choice()))));
     }
 
-    private TopicWay<LightLabModel> colours() {
+    private TopicWay<LightLabModel> colors() {
         return lit("color", Set.of("formula"))
                 .withOwn(
                         LightLabModel::history,
-                        LightLabModel::enterColours,
-                        (lab, name) -> lab.colour(colour -> colour.withMethod(name)),
+                        LightLabModel::enterColors,
+                        (lab, name) -> lab.color(color -> color.withMethod(name)),
                         (lab, name) -> {})
                 .writing(
                         writing(
                                 new ColorTopic(),
                                 state ->
-                                        state.colours()
-                                                ? Optional.of(LitInputs.colour(state.colour()))
+                                        state.colors()
+                                                ? Optional.of(LitInputs.color(state.color()))
                                                 : Optional.empty()));
     }
 
@@ -107,7 +107,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                                 writing(
                                         topic,
                                         state ->
-                                                state.colours()
+                                                state.colors()
                                                         ? Optional.empty()
                                                         : lit.apply(state)));
         return card(topic.name(), way);
@@ -150,7 +150,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     public List<LabShot<LightLabModel>> shots() {
         return List.of(
                 new LabShot<>("light", lab -> lab.drawNormals(true)),
-                new LabShot<>("colours", lab -> lab.showColours(true)),
+                new LabShot<>("colours", lab -> lab.showColors(true)),
                 new LabShot<>(
                         "texture-rows",
                         lab -> lab.rows().show("texture-mapping", "floor", "affine")),

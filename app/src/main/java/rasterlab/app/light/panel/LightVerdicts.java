@@ -93,14 +93,14 @@ final class LightVerdicts implements AutoCloseable {
     }
 
     /** The verdicts of topic {@code color} on one colour. */
-    static Map<String, Verdict.Kind> ofColour(double[] rgb) {
+    static Map<String, Verdict.Kind> ofColor(double[] rgb) {
         var topic = new ColorTopic();
-        var colour = new Colors(ColorModel.RGB, rgb);
+        var color = new Colors(ColorModel.RGB, rgb);
         var verdicts = new LinkedHashMap<String, Verdict.Kind>();
         for (Method<ColorConverter> method : topic.methods())
             verdicts.put(
                     method.name(),
-                    HazardTrial.tried(topic, method, colour, HazardTrial.WALL_LIMIT)
+                    HazardTrial.tried(topic, method, color, HazardTrial.WALL_LIMIT)
                             .verdict()
                             .kind());
         return verdicts;

@@ -29,7 +29,7 @@ final class LitInputs {
     private LitInputs() {}
 
     /** The colour as it was written. */
-    static Colors colour(ColorChoice choice) {
+    static Colors color(ColorChoice choice) {
         return Colors.of(choice.model(), choice.in(choice.model()));
     }
 

@@ -11,7 +11,7 @@ import rasterlab.app.light.LightLabModel;
 /** The choice between light, colour models and rows of textures, first in each column. */
 final class ModeRow {
     static final String LIGHT = "light";
-    static final String COLOURS = "colours";
+    static final String COLORS = "colours";
 
     private final LightLabModel model;
     private final NameChooser mode;
@@ -29,7 +29,7 @@ final class ModeRow {
 
     /** Light, colours, and the topics whose rows can be shown. */
     static List<String> names(LightLabModel model) {
-        var names = new ArrayList<String>(List.of(LIGHT, COLOURS));
+        var names = new ArrayList<String>(List.of(LIGHT, COLORS));
         names.addAll(model.rows().topics());
         return names;
     }
@@ -40,10 +40,10 @@ final class ModeRow {
             return;
         }
         model.rows().close();
-        model.showColours(name.equals(COLOURS));
+        model.showColors(name.equals(COLORS));
     }
 
     void refresh() {
-        mode.show(model.state().colours() ? COLOURS : LIGHT);
+        mode.show(model.state().colors() ? COLORS : LIGHT);
     }
 }

@@ -33,7 +33,7 @@ final class ProfilePainter {
     private final Graphics2D g;
     private final Texts texts;
     private final LightFrame.Drawn drawn;
-    private final StageColors colours = StageColors.now();
+    private final StageColors colors = StageColors.now();
 
     ProfilePainter(Graphics2D g, Texts texts, LightFrame.Drawn drawn) {
         this.g = g;
@@ -46,7 +46,7 @@ final class ProfilePainter {
     }
 
     void paint(int width, int height) {
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.fillRect(0, 0, width, height);
         FontMetrics metrics = g.getFontMetrics();
         Rectangle2D.Double box = box(width, height, metrics, texts.locale());
@@ -61,11 +61,11 @@ final class ProfilePainter {
         boolean mach = drawn.choice().mach();
         for (int i = 0; i < drawn.pictures().size(); i++) {
             LightFrame.Picture picture = drawn.pictures().get(i);
-            Color colour = MethodColors.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
-            if (mach) curve(picture.reported(), box, colour, true);
-            curve(picture.brightness(), box, colour, false);
+            Color color = MethodColors.edgeOn(colors.ground(), LightPainter.COLORS.get(i));
+            if (mach) curve(picture.reported(), box, color, true);
+            curve(picture.brightness(), box, color, false);
         }
-        legend.paint(g, named, colours.ink());
+        legend.paint(g, named, colors.ink());
     }
 
     /** Where the curves lie: what is written around it has the room that its type needs. */
@@ -97,7 +97,7 @@ final class ProfilePainter {
         int wide = metrics.stringWidth(name);
         if (wide > box.getHeight()) return;
         var upwards = (Graphics2D) g.create();
-        upwards.setColor(colours.ink());
+        upwards.setColor(colors.ink());
         upwards.translate(BESIDE / 2 + metrics.getAscent(), box.getCenterY() + wide / 2.0);
         upwards.rotate(-Math.PI / 2);
         upwards.drawString(name, 0, 0);
@@ -120,16 +120,16 @@ final class ProfilePainter {
         while (y(0, box) - y(apart, box) < metrics.getHeight() && apart < 1) apart *= 2;
         for (double level = 0; level <= 1; level += apart) {
             double y = y(level, box);
-            g.setColor(level == 0 ? colours.axis() : colours.grid());
+            g.setColor(level == 0 ? colors.axis() : colors.grid());
             g.draw(new Line2D.Double(box.getX(), y, box.getMaxX(), y));
-            g.setColor(colours.ink());
+            g.setColor(colors.ink());
             String text = level(level, texts.locale());
             g.drawString(
                     text,
                     (float) (box.getX() - BESIDE - metrics.stringWidth(text)),
                     (float) (y + metrics.getAscent() / 2.0 - 1));
         }
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         int base = (int) box.getMaxY() + metrics.getAscent() + 3;
         g.drawString("A", (int) box.getX(), base);
         g.drawString("B", (int) box.getMaxX() - metrics.stringWidth("B"), base);
@@ -138,7 +138,7 @@ final class ProfilePainter {
         g.drawString(along, (int) (box.getCenterX() - metrics.stringWidth(along) / 2.0), base);
     }
 
-    private void curve(double[] values, Rectangle2D box, Color colour, boolean dashed) {
+    private void curve(double[] values, Rectangle2D box, Color color, boolean dashed) {
         var path = new Path2D.Double();
         for (int i = 0; i < values.length; i++) {
             double x = box.getX() + box.getWidth() * i / (values.length - 1);
@@ -146,7 +146,7 @@ final class ProfilePainter {
             else path.lineTo(x, y(values[i], box));
         }
         g.setStroke(Legend.stroke(dashed));
-        g.setColor(colour);
+        g.setColor(color);
         g.draw(path);
     }
 
@@ -155,11 +155,11 @@ final class ProfilePainter {
         for (int i = 0; i < drawn.pictures().size(); i++) {
             LightFrame.Picture picture = drawn.pictures().get(i);
             if (picture.brightness().length == 0) continue;
-            Color colour = MethodColors.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
-            entries.add(new Legend.Entry(texts.text("shading." + picture.name()), colour, false));
+            Color color = MethodColors.edgeOn(colors.ground(), LightPainter.COLORS.get(i));
+            entries.add(new Legend.Entry(texts.text("shading." + picture.name()), color, false));
         }
         if (drawn.choice().mach())
-            entries.add(new Legend.Entry(texts.text("profile.eye"), colours.ink(), true));
+            entries.add(new Legend.Entry(texts.text("profile.eye"), colors.ink(), true));
         return new Legend(entries);
     }
 }

@@ -26,9 +26,9 @@ public record LightSteps(
     @FunctionalInterface
     public interface Painted {
         /**
-         * @param colour of a point by its number, as ARGB
+         * @param color of a point by its number, as ARGB
          */
-        Raster of(IntUnaryOperator colour);
+        Raster of(IntUnaryOperator color);
     }
 
     /** Light by a program, in the order of the faces, and within one in that of the points. */
@@ -85,13 +85,13 @@ public record LightSteps(
     /**
      * A picture of the answers up to a step.
      *
-     * @param colour of a point by its number
+     * @param color of a point by its number
      * @param open colour of the points of later steps
      */
-    public Raster picture(int step, IntUnaryOperator colour, int open) {
-        var colours = new int[count()];
+    public Raster picture(int step, IntUnaryOperator color, int open) {
+        var colors = new int[count()];
         for (int k = 0; k < count(); k++)
-            colours[order[k]] = k < step ? colour.applyAsInt(order[k]) : open;
-        return painted.of(k -> colours[k]);
+            colors[order[k]] = k < step ? color.applyAsInt(order[k]) : open;
+        return painted.of(k -> colors[k]);
     }
 }

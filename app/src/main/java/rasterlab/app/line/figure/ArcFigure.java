@@ -1,5 +1,6 @@
 package rasterlab.app.line.figure;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import rasterlab.app.line.trace.RasterPoint;
@@ -11,28 +12,33 @@ import rasterlab.engine.circle.Ellipse;
  *
  * @param round whether both half-axes are the radius of a circle
  */
-public record ArcFigure(boolean round, int centreX, int centreY, int radiusX, int radiusY)
+public record ArcFigure(
+        boolean round,
+        @JsonProperty("centreX") int centerX,
+        @JsonProperty("centreY") int centerY,
+        int radiusX,
+        int radiusY)
         implements DrawnFigure {
-    static final String CENTRE = "grip.centre";
+    static final String CENTER = "grip.centre";
     static final String RADIUS_X = "grip.radiusX";
     static final String RADIUS_Y = "grip.radiusY";
 
     static ArcFigure of(Circle circle) {
         return new ArcFigure(
-                true, circle.centreX(), circle.centreY(), circle.radius(), circle.radius());
+                true, circle.centerX(), circle.centerY(), circle.radius(), circle.radius());
     }
 
     static ArcFigure of(Ellipse ellipse) {
         return new ArcFigure(
-                false, ellipse.centreX(), ellipse.centreY(), ellipse.radiusX(), ellipse.radiusY());
+                false, ellipse.centerX(), ellipse.centerY(), ellipse.radiusX(), ellipse.radiusY());
     }
 
     Circle circle() {
-        return new Circle(centreX, centreY, radiusX);
+        return new Circle(centerX, centerY, radiusX);
     }
 
     Ellipse ellipse() {
-        return new Ellipse(centreX, centreY, radiusX, radiusY);
+        return new Ellipse(centerX, centerY, radiusX, radiusY);
     }
 
     /**
@@ -40,32 +46,32 @@ public record ArcFigure(boolean round, int centreX, int centreY, int radiusX, in
      * circle.
      */
     public ArcFigure withRadiusX(int radius) {
-        return new ArcFigure(round, centreX, centreY, radius, round ? radius : radiusY);
+        return new ArcFigure(round, centerX, centerY, radius, round ? radius : radiusY);
     }
 
     public ArcFigure withRadiusY(int radius) {
-        return new ArcFigure(round, centreX, centreY, round ? radius : radiusX, radius);
+        return new ArcFigure(round, centerX, centerY, round ? radius : radiusX, radius);
     }
 
-    public ArcFigure withCentre(int x, int y) {
+    public ArcFigure withCenter(int x, int y) {
         return new ArcFigure(round, x, y, radiusX, radiusY);
     }
 
     @Override
     public Map<String, RasterPoint> grips() {
         var grips = new LinkedHashMap<String, RasterPoint>();
-        grips.put(RADIUS_X, new RasterPoint((double) centreX + radiusX, centreY));
-        if (!round) grips.put(RADIUS_Y, new RasterPoint(centreX, (double) centreY + radiusY));
-        grips.put(CENTRE, new RasterPoint(centreX, centreY));
+        grips.put(RADIUS_X, new RasterPoint((double) centerX + radiusX, centerY));
+        if (!round) grips.put(RADIUS_Y, new RasterPoint(centerX, (double) centerY + radiusY));
+        grips.put(CENTER, new RasterPoint(centerX, centerY));
         return grips;
     }
 
     @Override
     public ArcFigure moved(String grip, RasterPoint to) {
         return switch (grip) {
-            case RADIUS_X -> withRadiusX(whole(Math.abs(to.x() - centreX)));
-            case RADIUS_Y -> withRadiusY(whole(Math.abs(to.y() - centreY)));
-            default -> withCentre(whole(to.x()), whole(to.y()));
+            case RADIUS_X -> withRadiusX(whole(Math.abs(to.x() - centerX)));
+            case RADIUS_Y -> withRadiusY(whole(Math.abs(to.y() - centerY)));
+            default -> withCenter(whole(to.x()), whole(to.y()));
         };
     }
 

@@ -36,10 +36,10 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        Color colour = LineColors.OWN.of(drawing.method());
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        Color color = LineColors.OWN.of(drawing.method());
         Color edge =
-                MethodColors.mix(MethodColors.edgeOn(colours.ground(), colour), colours.ink(), 0.4);
+                MethodColors.mix(MethodColors.edgeOn(colors.ground(), color), colors.ink(), 0.4);
         Rectangle view = g.getClipBounds();
         double size = Math.max(1, map.scaleX());
         for (int i = 0; i < step; i++) {
@@ -47,21 +47,21 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
                 throw new CancellationException("a newer frame is asked for");
             Rectangle2D pixel = pixel(map, drawing.pixels().x(i), drawing.pixels().y(i), size);
             if (!view.intersects(pixel)) continue;
-            g.setColor(colour);
+            g.setColor(color);
             g.fill(pixel);
             if (size < ROOMY) continue;
             g.setColor(edge);
             g.setStroke(new BasicStroke(1));
             g.draw(pixel);
         }
-        paintCurve(g, map, colours);
+        paintCurve(g, map, colors);
         marks(g, map, drawing.difference().extra(), PixelMark.EXTRA, size);
         if (step == drawing.steps())
             marks(g, map, drawing.difference().missing(), PixelMark.MISSING, size);
         again(g, map, size);
-        alone(g, map, colours, size);
+        alone(g, map, colors, size);
         if (step > 0 && step < drawing.steps()) {
-            g.setColor(colours.ink());
+            g.setColor(colors.ink());
             g.setStroke(new BasicStroke(2.5f));
             g.draw(pixel(map, drawing.pixels().x(step - 1), drawing.pixels().y(step - 1), size));
         }
@@ -71,26 +71,26 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
         return new Rectangle2D.Double(map.viewX(x) - size / 2, map.viewY(y) - size / 2, size, size);
     }
 
-    private void paintCurve(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void paintCurve(Graphics2D g, PlaneMap map, StageColors colors) {
         if (arc.radiusX() < 0 || arc.radiusY() < 0) return;
         var curve =
                 new Ellipse2D.Double(
-                        map.viewX((double) arc.centreX() - arc.radiusX()),
-                        map.viewY((double) arc.centreY() - arc.radiusY()),
+                        map.viewX((double) arc.centerX() - arc.radiusX()),
+                        map.viewY((double) arc.centerY() - arc.radiusY()),
                         2.0 * arc.radiusX() * map.scaleX(),
                         2.0 * arc.radiusY() * map.scaleY());
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.setStroke(new BasicStroke(3.2f));
         g.draw(curve);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.setStroke(new BasicStroke(1.4f));
         g.draw(curve);
     }
 
-    private void alone(Graphics2D g, PlaneMap map, StageColors colours, double size) {
+    private void alone(Graphics2D g, PlaneMap map, StageColors colors, double size) {
         for (int i = 0; i < alone.size(); i++) {
             Rectangle2D pixel = pixel(map, alone.x(i), alone.y(i), size);
-            if (g.getClipBounds().intersects(pixel)) AloneMark.paint(g, colours, pixel);
+            if (g.getClipBounds().intersects(pixel)) AloneMark.paint(g, colors, pixel);
         }
     }
 

@@ -35,30 +35,30 @@ record BrightnessPicture(
     static final double TOP = 1.1;
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        nameAxes(g, map, colours);
-        Color faint = MethodColors.mix(colours.axis(), colours.ink(), 0.3);
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        nameAxes(g, map, colors);
+        Color faint = MethodColors.mix(colors.axis(), colors.ink(), 0.3);
         g.setColor(faint);
         g.setStroke(dashed());
         double y = map.viewY(1);
         g.draw(new Line2D.Double(map.viewX(0), y, map.viewX(SlopeFigure.STEEPEST), y));
         double x = map.viewX(figure.degrees());
-        g.setColor(colours.focus());
+        g.setColor(colors.focus());
         g.draw(new Line2D.Double(x, map.viewY(0), x, map.viewY(TOP)));
-        for (int i = 0; i < methods.size(); i++) curve(g, map, colours, i);
-        plate(g, words.even, map.viewX(4), y - 8, colours);
-        for (int i = 0; i < methods.size(); i++) key(g, map, colours, i);
+        for (int i = 0; i < methods.size(); i++) curve(g, map, colors, i);
+        plate(g, words.even, map.viewX(4), y - 8, colors);
+        for (int i = 0; i < methods.size(); i++) key(g, map, colors, i);
     }
 
     /**
      * Writes the axes' names beyond the curves: below the end of the one axis, over the end of the
      * other.
      */
-    private void nameAxes(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void nameAxes(Graphics2D g, PlaneMap map, StageColors colors) {
         FontMetrics metrics = g.getFontMetrics();
         double right = map.viewX(SlopeFigure.STEEPEST) - metrics.stringWidth(words.degrees);
-        plate(g, words.degrees, right, map.viewY(0) + metrics.getAscent() + 5, colours);
-        plate(g, words.light, map.viewX(0) + 8, map.viewY(TOP) - 4, colours);
+        plate(g, words.degrees, right, map.viewY(0) + metrics.getAscent() + 5, colors);
+        plate(g, words.light, map.viewX(0) + 8, map.viewY(TOP) - 4, colors);
     }
 
     private static BasicStroke dashed() {
@@ -66,7 +66,7 @@ record BrightnessPicture(
                 1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {6, 4}, 0);
     }
 
-    private void curve(Graphics2D g, PlaneMap map, StageColors colours, int method) {
+    private void curve(Graphics2D g, PlaneMap map, StageColors colors, int method) {
         var path = new Path2D.Double();
         for (int degrees = 0; degrees < light.get(method).size(); degrees++) {
             double at = light.get(method).get(degrees);
@@ -76,7 +76,7 @@ record BrightnessPicture(
             else path.lineTo(map.viewX(degrees), map.viewY(at));
         }
         g.setStroke(stroke(method));
-        g.setColor(ink(colours, method));
+        g.setColor(ink(colors, method));
         g.draw(path);
     }
 
@@ -89,24 +89,24 @@ record BrightnessPicture(
     }
 
     /** The method's own colour where it can be seen: darkened, sky blue would be taken for blue. */
-    private Color ink(StageColors colours, int method) {
+    private Color ink(StageColors colors, int method) {
         Color own = LineColors.OWN.of(methods.get(method));
-        boolean seen = MethodColors.contrast(own, colours.ground()) >= SEEN;
-        return seen ? own : MethodColors.edgeOn(colours.ground(), own);
+        boolean seen = MethodColors.contrast(own, colors.ground()) >= SEEN;
+        return seen ? own : MethodColors.edgeOn(colors.ground(), own);
     }
 
     /** Writes the methods' names below each other in the lower left corner. */
-    private void key(Graphics2D g, PlaneMap map, StageColors colours, int method) {
+    private void key(Graphics2D g, PlaneMap map, StageColors colors, int method) {
         FontMetrics metrics = g.getFontMetrics();
         double y = map.viewY(0.08) - (methods.size() - 1 - method) * (metrics.getHeight() + 6);
         double x = map.viewX(4);
-        g.setColor(ink(colours, method));
+        g.setColor(ink(colors, method));
         g.setStroke(stroke(method));
         g.draw(new Line2D.Double(x, y - 4, x + 25, y - 4));
-        plate(g, methods.get(method), x + 34, y, colours);
+        plate(g, methods.get(method), x + 34, y, colors);
     }
 
-    private static void plate(Graphics2D g, String words, double x, double y, StageColors colours) {
-        Plates.plate(g, words, (int) x, (int) y, colours.ground(), colours.ink());
+    private static void plate(Graphics2D g, String words, double x, double y, StageColors colors) {
+        Plates.plate(g, words, (int) x, (int) y, colors.ground(), colors.ink());
     }
 }

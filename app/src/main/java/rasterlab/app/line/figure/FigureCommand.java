@@ -36,8 +36,8 @@ public final class FigureCommand {
     }
 
     private static String input(ArcFigure arc) {
-        int x = arc.centreX();
-        int y = arc.centreY();
+        int x = arc.centerX();
+        int y = arc.centerY();
         return arc.round()
                 ? CommandInput.of(new CircleTopic().format(), new Circle(x, y, arc.radiusX()))
                 : CommandInput.of(

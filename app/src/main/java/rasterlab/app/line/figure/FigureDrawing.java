@@ -120,15 +120,15 @@ public record FigureDrawing(
 
     /** A figure that leaves the range of int has no exact pixels. */
     private static Optional<PixelRecording> exact(FigureTopics topics, ArcFigure arc) {
-        long right = (long) arc.centreX() + arc.radiusX();
-        long bottom = (long) arc.centreY() + arc.radiusY();
+        long right = (long) arc.centerX() + arc.radiusX();
+        long bottom = (long) arc.centerY() + arc.radiusY();
         boolean drawn =
                 arc.radiusX() >= 0
                         && arc.radiusY() >= 0
                         && right == (int) right
                         && bottom == (int) bottom
-                        && (long) arc.centreX() - arc.radiusX() >= Integer.MIN_VALUE
-                        && (long) arc.centreY() - arc.radiusY() >= Integer.MIN_VALUE;
+                        && (long) arc.centerX() - arc.radiusX() >= Integer.MIN_VALUE
+                        && (long) arc.centerY() - arc.radiusY() >= Integer.MIN_VALUE;
         return drawn ? topics.exact(arc) : Optional.of(NO_PIXELS);
     }
 

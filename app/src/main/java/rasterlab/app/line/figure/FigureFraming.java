@@ -20,7 +20,7 @@ final class FigureFraming {
             double wide = Math.max(1, Math.abs((double) arc.radiusX()) + 0.5);
             double tall = Math.max(1, Math.abs((double) arc.radiusY()) + 0.5);
             return new Rectangle2D.Double(
-                    arc.centreX() - wide, arc.centreY() - tall, 2 * wide, 2 * tall);
+                    arc.centerX() - wide, arc.centerY() - tall, 2 * wide, 2 * tall);
         }
         if (figure instanceof SlopeFigure)
             return new Rectangle2D.Double(0, 0, SlopeFigure.STEEPEST, BrightnessPicture.TOP);

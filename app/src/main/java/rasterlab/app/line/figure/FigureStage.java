@@ -201,12 +201,12 @@ public final class FigureStage extends JPanel implements AutoCloseable {
         String kind = grip.startsWith("point.") ? "grip.point" : grip;
         String said =
                 texts.text("figure." + kind) + " " + Shown.point(at.x(), at.y(), texts.locale());
-        boolean centre = grip.equals(ArcFigure.CENTRE);
+        boolean center = grip.equals(ArcFigure.CENTER);
         return new PlanePoint(
                 grip,
                 at.x(),
                 at.y(),
-                centre ? PlanePoint.Form.CIRCLE : PlanePoint.Form.SQUARE,
+                center ? PlanePoint.Form.CIRCLE : PlanePoint.Form.SQUARE,
                 "",
                 texts.text("figure.keys", said));
     }

@@ -92,11 +92,11 @@ public record FigureTopics(
         if (arc.round())
             own.method(circle, method)
                     .implementation()
-                    .draw(arc.centreX(), arc.centreY(), arc.radiusX(), out);
+                    .draw(arc.centerX(), arc.centerY(), arc.radiusX(), out);
         else
             own.method(ellipse, method)
                     .implementation()
-                    .draw(arc.centreX(), arc.centreY(), arc.radiusX(), arc.radiusY(), out);
+                    .draw(arc.centerX(), arc.centerY(), arc.radiusX(), arc.radiusY(), out);
     }
 
     /** The walk that the method mirrors. */

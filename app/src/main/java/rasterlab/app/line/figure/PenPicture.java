@@ -24,8 +24,8 @@ record PenPicture(PenFigure figure) implements PlanePicture {
     }
 
     @Override
-    public void paint(Graphics2D g, PlaneMap map, StageColors colours, BooleanSupplier cancelled) {
-        Raster raster = figure.picture(colours.ground().getRGB(), MethodColors.BLUE.getRGB());
+    public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
+        Raster raster = figure.picture(colors.ground().getRGB(), MethodColors.BLUE.getRGB());
         double left = map.viewX(-0.5);
         double top = map.viewY(-0.5);
         double right = map.viewX(PenFigure.WIDTH - 0.5);
@@ -41,19 +41,19 @@ record PenPicture(PenFigure figure) implements PlanePicture {
                 (int) Math.round(bottom - top),
                 null);
         if (map.scaleX() >= GRID) {
-            Color line = colours.grid();
+            Color line = colors.grid();
             g.setColor(new Color(line.getRed(), line.getGreen(), line.getBlue(), 150));
             for (int x = 1; x < PenFigure.WIDTH; x++)
                 g.draw(new Line2D.Double(map.viewX(x - 0.5), top, map.viewX(x - 0.5), bottom));
             for (int y = 1; y < PenFigure.HEIGHT; y++)
                 g.draw(new Line2D.Double(left, map.viewY(y - 0.5), right, map.viewY(y - 0.5)));
         }
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.drawRect((int) left, (int) top, (int) (right - left), (int) (bottom - top));
-        paintLine(g, map, colours);
+        paintLine(g, map, colors);
     }
 
-    private void paintLine(Graphics2D g, PlaneMap map, StageColors colours) {
+    private void paintLine(Graphics2D g, PlaneMap map, StageColors colors) {
         var path = new Path2D.Double();
         for (RasterPoint point : figure.points()) {
             double x = map.viewX(point.x());
@@ -61,10 +61,10 @@ record PenPicture(PenFigure figure) implements PlanePicture {
             if (path.getCurrentPoint() == null) path.moveTo(x, y);
             else path.lineTo(x, y);
         }
-        g.setColor(colours.ground());
+        g.setColor(colors.ground());
         g.setStroke(new BasicStroke(3));
         g.draw(path);
-        g.setColor(colours.ink());
+        g.setColor(colors.ink());
         g.setStroke(new BasicStroke(1.2f));
         g.draw(path);
     }

@@ -28,10 +28,10 @@ public final class AloneMark extends FlatAbstractIcon {
      * Paints the mark whole, also where the pixel has a mark of its own, over which it is to be
      * painted.
      */
-    public static void paint(Graphics2D g, StageColors colours, Rectangle2D pixel) {
+    public static void paint(Graphics2D g, StageColors colors, Rectangle2D pixel) {
         if (pixel.getWidth() < ROOMY) {
             double size = Math.max(SMALLEST_DOT, pixel.getWidth());
-            g.setColor(colours.ink());
+            g.setColor(colors.ink());
             g.fill(
                     new Rectangle2D.Double(
                             pixel.getCenterX() - size / 2,
@@ -43,8 +43,8 @@ public final class AloneMark extends FlatAbstractIcon {
         Shape lozenge = lozenge(pixel);
         double width = Math.max(1.4, pixel.getWidth() * 0.09);
         double halo = Math.min(2.4, pixel.getWidth() * 0.15);
-        outline(g, lozenge, (float) (width + halo), colours.ground());
-        outline(g, lozenge, (float) width, colours.ink());
+        outline(g, lozenge, (float) (width + halo), colors.ground());
+        outline(g, lozenge, (float) width, colors.ink());
     }
 
     private static Shape lozenge(Rectangle2D pixel) {
@@ -57,8 +57,8 @@ public final class AloneMark extends FlatAbstractIcon {
         return corners;
     }
 
-    private static void outline(Graphics2D g, Shape shape, float width, Color colour) {
-        g.setColor(colour);
+    private static void outline(Graphics2D g, Shape shape, float width, Color color) {
+        g.setColor(color);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(shape);
     }

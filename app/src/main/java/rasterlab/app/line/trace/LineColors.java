@@ -2,8 +2,8 @@ package rasterlab.app.line.trace;
 
 import static rasterlab.app.canvas.method.MethodColors.BLUE;
 import static rasterlab.app.canvas.method.MethodColors.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColors.GRAY;
 import static rasterlab.app.canvas.method.MethodColors.GREEN;
-import static rasterlab.app.canvas.method.MethodColors.GREY;
 import static rasterlab.app.canvas.method.MethodColors.INDIGO;
 import static rasterlab.app.canvas.method.MethodColors.OLIVE;
 import static rasterlab.app.canvas.method.MethodColors.ORANGE;
@@ -22,7 +22,7 @@ public final class LineColors {
                     Map.ofEntries(
                             Map.entry("naive-textbook", SKY_BLUE),
                             Map.entry("naive", ORANGE),
-                            Map.entry("dda-float", GREY),
+                            Map.entry("dda-float", GRAY),
                             Map.entry("dda", GREEN),
                             Map.entry("bresenham-first-textbook", INDIGO),
                             Map.entry("bresenham-pascal-textbook", OLIVE),

@@ -38,13 +38,13 @@ final class LightCalls {
                         GlName.GL_SHININESS,
                         choice.number(Setting.SHININESS));
         calls.of(Setting.LIGHTING);
-        if (frame.colourIsMaterial())
+        if (frame.colorIsMaterial())
             calls.add(
                     "glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE)",
                     () ->
                             GL11.glColorMaterial(
                                     GL11.GL_FRONT_AND_BACK, GL11.GL_AMBIENT_AND_DIFFUSE));
-        calls.enable(GlName.GL_COLOR_MATERIAL, frame.colourIsMaterial());
+        calls.enable(GlName.GL_COLOR_MATERIAL, frame.colorIsMaterial());
     }
 
     private void model() {

@@ -46,7 +46,7 @@ final class ShapeAssembly {
         int[] at = shape.indices();
         if (shape.lines())
             for (int i = 0; i < at.length; i += 2)
-                strokes.line(coloured(fronts[at[i]], fronts[at[i + 1]]), fronts[at[i + 1]]);
+                strokes.line(colored(fronts[at[i]], fronts[at[i + 1]]), fronts[at[i + 1]]);
         else
             for (int i = 0; i < at.length; i += 3)
                 triangle(at[i], at[i + 1], at[i + 2], corners, strokes);
@@ -85,8 +85,8 @@ final class ShapeAssembly {
         if (culled(front)) return;
         double[][] side = front ? fronts : backs;
         double[] last = side[c];
-        double[] first = coloured(side[a], last);
-        double[] second = coloured(side[b], last);
+        double[] first = colored(side[a], last);
+        double[] second = colored(side[b], last);
         switch (choice.get(Setting.POLYGON_MODE)) {
             case "GL_LINE" -> {
                 strokes.line(first, second);
@@ -116,7 +116,7 @@ final class ShapeAssembly {
     }
 
     /** A corner as the shade model has it: flat, it has the colour of the last one. */
-    private double[] coloured(double[] corner, double[] last) {
+    private double[] colored(double[] corner, double[] last) {
         if (!flat) return corner;
         double[] other = corner.clone();
         System.arraycopy(last, 3, other, 3, 4);

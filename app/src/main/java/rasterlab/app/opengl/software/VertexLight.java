@@ -19,7 +19,7 @@ import rasterlab.engine.light.PointLighting;
 /** The light of a frame on vertices, with the engine's formula. */
 final class VertexLight {
     private final PointLighting lighting;
-    private final boolean colourIsMaterial;
+    private final boolean colorIsMaterial;
 
     VertexLight(GlFrame frame) {
         GlChoice choice = frame.choice();
@@ -37,7 +37,7 @@ final class VertexLight {
                 new PointLighting(
                         model, material(frame.front(), choice), material(frame.back(), choice));
         lighting.eye(0, 0, 0, 0, 0, 1);
-        colourIsMaterial = frame.colourIsMaterial();
+        colorIsMaterial = frame.colorIsMaterial();
     }
 
     private static Light light(GlLight light, double distance) {
@@ -71,8 +71,8 @@ final class VertexLight {
      * @param rgba holds the vertex's own colour, receives the lit one
      */
     void shade(double[] eye, boolean behind, float[] rgba) {
-        if (colourIsMaterial)
-            lighting.shadeColoured(eye[0], eye[1], eye[2], eye[3], eye[4], eye[5], behind, rgba, 0);
+        if (colorIsMaterial)
+            lighting.shadeColored(eye[0], eye[1], eye[2], eye[3], eye[4], eye[5], behind, rgba, 0);
         else lighting.shade(eye[0], eye[1], eye[2], eye[3], eye[4], eye[5], behind, rgba, 0);
     }
 }

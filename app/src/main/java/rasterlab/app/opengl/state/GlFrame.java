@@ -88,7 +88,7 @@ public record GlFrame(GlChoice choice, int width, int height, Optional<Texture> 
     }
 
     /** Whether the vertices' colours stand for the material's ambient and diffuse ones. */
-    public boolean colourIsMaterial() {
+    public boolean colorIsMaterial() {
         return choice.is(Setting.LIGHTING, "light-color");
     }
 
@@ -111,10 +111,10 @@ public record GlFrame(GlChoice choice, int width, int height, Optional<Texture> 
         for (GlLight light : lights()) {
             if (light.directional()) continue;
             double[] at = light.position();
-            double[] colour = light.diffuse().clone();
-            double most = Math.max(colour[0], Math.max(colour[1], colour[2]));
-            for (int c = 0; c < 3; c++) colour[c] = most > 0 ? colour[c] / most : 1;
-            lamps.add(GlShapes.lamp(colour, at[0], at[1], at[2]));
+            double[] color = light.diffuse().clone();
+            double most = Math.max(color[0], Math.max(color[1], color[2]));
+            for (int c = 0; c < 3; c++) color[c] = most > 0 ? color[c] / most : 1;
+            lamps.add(GlShapes.lamp(color, at[0], at[1], at[2]));
         }
         return List.copyOf(lamps);
     }

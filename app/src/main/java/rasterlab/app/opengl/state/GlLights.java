@@ -11,7 +11,7 @@ final class GlLights {
     /** A place above the tube's middle, so that the lamp is not in every point's way. */
     private static final double[] INSIDE = {0, 0.25, 0};
 
-    private static final double[][] COLOURS = {
+    private static final double[][] COLORS = {
         {1, 1, 1},
         {1, 0.8, 0.5},
         {0.5, 0.7, 1},
@@ -33,7 +33,7 @@ final class GlLights {
     }
 
     private static GlLight light(GlChoice choice, int index, int count) {
-        double[] colour = COLOURS[count == 1 ? 0 : index + 1];
+        double[] color = COLORS[count == 1 ? 0 : index + 1];
         double share = count > 2 ? 0.4 : 1;
         String[] spot = choice.parts(Setting.SPOT);
         boolean far = choice.is(Setting.LIGHT_PLACE, "far");
@@ -41,9 +41,9 @@ final class GlLights {
         double[] toMiddle = {-position[0], -position[1], -position[2]};
         if (choice.is(Setting.LIGHT_PLACE, "inside")) toMiddle = new double[] {0, -1, 0.4};
         return new GlLight(
-                term(choice, "ambient", colour, 0.15 * share),
-                term(choice, "diffuse", colour, share),
-                term(choice, "specular", colour, share),
+                term(choice, "ambient", color, 0.15 * share),
+                term(choice, "diffuse", color, share),
+                term(choice, "specular", color, share),
                 position,
                 toMiddle,
                 far ? 180 : Double.parseDouble(spot[0]),
@@ -57,11 +57,11 @@ final class GlLights {
                 .toArray();
     }
 
-    private static double[] term(GlChoice choice, String name, double[] colour, double share) {
+    private static double[] term(GlChoice choice, String name, double[] color, double share) {
         boolean seen =
                 choice.is(Setting.LIGHT_TERMS, "all") || choice.is(Setting.LIGHT_TERMS, name);
         double[] term = new double[3];
-        for (int c = 0; c < 3; c++) term[c] = seen ? share * colour[c] : 0;
+        for (int c = 0; c < 3; c++) term[c] = seen ? share * color[c] : 0;
         return term;
     }
 

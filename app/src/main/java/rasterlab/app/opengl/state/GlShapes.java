@@ -50,10 +50,10 @@ final class GlShapes {
     }
 
     /** A small ball where a light stands, in the light's colour. */
-    static GlShape lamp(double[] colour, double x, double y, double z) {
+    static GlShape lamp(double[] color, double x, double y, double z) {
         GlShape ball = ball("lamp", false, 12, 8);
         float[] rgb = new float[ball.xyz().length];
-        for (int i = 0; i < rgb.length; i++) rgb[i] = (float) colour[i % 3];
+        for (int i = 0; i < rgb.length; i++) rgb[i] = (float) color[i % 3];
         return new GlShape(
                         "lamp",
                         false,
@@ -154,7 +154,7 @@ final class GlShapes {
         return copy;
     }
 
-    private static void paint(float[] rgb, int at, int colour) {
-        for (int c = 0; c < 3; c++) rgb[at + c] = (colour >> 16 - 8 * c & 255) / 255f;
+    private static void paint(float[] rgb, int at, int color) {
+        for (int c = 0; c < 3; c++) rgb[at + c] = (color >> 16 - 8 * c & 255) / 255f;
     }
 }

@@ -59,10 +59,10 @@ public final class LabImages {
         if (components < 3)
             for (int i = 0; i < argb.length; i++) {
                 int p = argb[i];
-                int grey =
+                int gray =
                         (299 * (p >> 16 & 255) + 587 * (p >> 8 & 255) + 114 * (p & 255) + 500)
                                 / 1000;
-                argb[i] = p & 0xFF00FFFF | grey << 16;
+                argb[i] = p & 0xFF00FFFF | gray << 16;
             }
         return Texture.of(width, height, components, argb);
     }

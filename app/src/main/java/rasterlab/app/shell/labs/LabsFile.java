@@ -1,5 +1,6 @@
 package rasterlab.app.shell.labs;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonMappingException;
 import com.fasterxml.jackson.databind.JsonNode;
@@ -159,7 +160,7 @@ public final class LabsFile {
         if (!type.isRecord() || !kept.isObject() || !usual.isObject()) return kept;
         ObjectNode whole = KeptJson.MAPPER.createObjectNode().setAll((ObjectNode) kept);
         for (RecordComponent part : type.getRecordComponents()) {
-            String name = part.getName();
+            String name = keptName(part);
             whole.set(
                     name,
                     kept.has(name)
@@ -167,6 +168,12 @@ public final class LabsFile {
                             : usual.path(name));
         }
         return whole;
+    }
+
+    /** The name in the file: an earlier one where the component has been renamed since. */
+    private static String keptName(RecordComponent part) {
+        JsonProperty kept = part.getAccessor().getAnnotation(JsonProperty.class);
+        return kept == null ? part.getName() : kept.value();
     }
 
     /** The complaint of a part's own check, else the place of the part. */

@@ -27,11 +27,11 @@ public enum LabTheme {
                     "Label.disabledForeground", "#5a5a5a"));
 
     private final double type;
-    private final Map<String, String> colours;
+    private final Map<String, String> colors;
 
-    LabTheme(double type, Map<String, String> colours) {
+    LabTheme(double type, Map<String, String> colors) {
         this.type = type;
-        this.colours = colours;
+        this.colors = colors;
     }
 
     /** Makes the theme the look of every component created from now on, in type of usual size. */
@@ -45,7 +45,7 @@ public enum LabTheme {
      * @param textPercent size of the type, 100 for the system's
      */
     public void install(int textPercent) {
-        FlatLaf.setGlobalExtraDefaults(colours);
+        FlatLaf.setGlobalExtraDefaults(colors);
         // This comes before any other use of UIManager, which would set up Java's own look.
         if (this == DARK) FlatDarkLaf.setup();
         else FlatLightLaf.setup();

@@ -23,7 +23,7 @@ public final class BlendingChart extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
     private static final int SAMPLES = 64;
-    private static final List<Color> COLOURS =
+    private static final List<Color> COLORS =
             List.of(
                     MethodColors.BLUE,
                     MethodColors.ORANGE,
@@ -55,26 +55,26 @@ public final class BlendingChart extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        StageColors colours = StageColors.now();
-        g.setColor(colours.ground());
+        StageColors colors = StageColors.now();
+        g.setColor(colors.ground());
         g.fillRect(0, 0, getWidth(), getHeight());
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
-        form.ifPresent(each -> paint(g, each, colours));
+        form.ifPresent(each -> paint(g, each, colors));
         g.dispose();
     }
 
-    private void paint(Graphics2D g, SpanForm shown, StageColors colours) {
+    private void paint(Graphics2D g, SpanForm shown, StageColors colors) {
         double low = lowest(shown);
         double high = Math.max(1, highest(shown));
         var axes = new Axes(low, high, getWidth(), getHeight());
-        g.setColor(colours.grid());
+        g.setColor(colors.grid());
         g.draw(new Line2D.Double(0, axes.y(1), getWidth(), axes.y(1)));
-        g.setColor(colours.axis());
+        g.setColor(colors.axis());
         g.draw(new Line2D.Double(0, axes.y(0), getWidth(), axes.y(0)));
         g.draw(new Line2D.Double(axes.x(shown.u()), 0, axes.x(shown.u()), getHeight()));
         for (int i = 0; i < shown.weights().length; i++) {
-            Color colour = MethodColors.edgeOn(colours.ground(), COLOURS.get(i % COLOURS.size()));
+            Color color = MethodColors.edgeOn(colors.ground(), COLORS.get(i % COLORS.size()));
             var path = new Path2D.Double();
             for (int k = 0; k <= SAMPLES; k++) {
                 double u = (double) k / SAMPLES;
@@ -82,7 +82,7 @@ public final class BlendingChart extends SelfDrawn {
                 if (k == 0) path.moveTo(axes.x(u), y);
                 else path.lineTo(axes.x(u), y);
             }
-            g.setColor(colour);
+            g.setColor(color);
             g.setStroke(new BasicStroke(1.8f));
             g.draw(path);
             double x = axes.x(shown.u());

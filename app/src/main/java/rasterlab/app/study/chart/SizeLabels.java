@@ -30,7 +30,7 @@ final class SizeLabels extends Annotation {
      */
     record Point(double cost, double position) {}
 
-    private record Label(String text, Point at, Color colour) {}
+    private record Label(String text, Point at, Color color) {}
 
     private final List<List<Point>> lines = new ArrayList<>();
     private final List<Double> edges = new ArrayList<>();
@@ -56,8 +56,8 @@ final class SizeLabels extends Annotation {
         edges.add(position);
     }
 
-    void add(String size, Point at, Color colour) {
-        labels.add(new Label(size, at, colour));
+    void add(String size, Point at, Color color) {
+        labels.add(new Label(size, at, color));
     }
 
     @Override
@@ -109,7 +109,7 @@ final class SizeLabels extends Annotation {
     }
 
     private void draw(Graphics2D graphics, Label label, LabelPlaces.Place place) {
-        Color ink = MethodColors.textOn(ground, label.colour());
+        Color ink = MethodColors.textOn(ground, label.color());
         graphics.setColor(MethodColors.edgeOn(ground, MethodColors.mix(ground, ink, LEADER)));
         graphics.setStroke(new BasicStroke(1));
         place.leader().ifPresent(graphics::draw);

@@ -71,7 +71,7 @@ public final class StudyChart {
         List<String> methods =
                 study.measurements().stream().map(Measurement::method).distinct().toList();
         var looks =
-                new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(study.topic()).colours()));
+                new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(study.topic()).colors()));
         looks.keySet().retainAll(points(study).stream().map(Measurement::method).toList());
         looks.replaceAll((method, look) -> look.on(paper));
         return looks;
@@ -156,9 +156,9 @@ public final class StudyChart {
                         .map(point -> new SizeLabels.Point(cost(point), axis.position(point)))
                         .toList();
         sizes.avoid(line);
-        sizes.add(said.apply(points.get(0)), line.get(0), look.colour());
+        sizes.add(said.apply(points.get(0)), line.get(0), look.color());
         int last = points.size() - 1;
-        if (last > 0) sizes.add(said.apply(points.get(last)), line.get(last), look.colour());
+        if (last > 0) sizes.add(said.apply(points.get(last)), line.get(last), look.color());
     }
 
     private static double cost(Measurement point) {

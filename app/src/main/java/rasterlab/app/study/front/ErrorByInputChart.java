@@ -136,8 +136,8 @@ public final class ErrorByInputChart implements StudyPicture {
     }
 
     private static void band(
-            Graphics2D graphics, Color colour, Rectangle2D plot, double top, double bottom) {
-        graphics.setColor(colour);
+            Graphics2D graphics, Color color, Rectangle2D plot, double top, double bottom) {
+        graphics.setColor(color);
         graphics.fill(new Rectangle2D.Double(plot.getMinX(), top, plot.getWidth(), bottom - top));
     }
 
@@ -152,7 +152,7 @@ public final class ErrorByInputChart implements StudyPicture {
                             ? across.at(Math.sqrt((double) regime.to() * regimes.get(i + 1).from()))
                             : plot.getMaxX();
             graphics.setColor(
-                    regime.isOpen() ? OPEN : lines.looks().get(regime.methods().get(0)).colour());
+                    regime.isOpen() ? OPEN : lines.looks().get(regime.methods().get(0)).color());
             graphics.fill(new Rectangle2D.Double(left, STRIP + 14, right - left - 1, 5));
             graphics.setColor(paper.ink());
             String name = words.best(regime);

@@ -138,13 +138,13 @@ public final class FrontChart implements StudyPicture {
     }
 
     private static void band(
-            Graphics2D graphics, Color colour, Rectangle2D plot, double top, double bottom) {
-        graphics.setColor(colour);
+            Graphics2D graphics, Color color, Rectangle2D plot, double top, double bottom) {
+        graphics.setColor(color);
         graphics.fill(new Rectangle2D.Double(plot.getMinX(), top, plot.getWidth(), bottom - top));
     }
 
     private Graphics2D ink(Graphics2D graphics, Measurement point) {
-        graphics.setColor(colour(point));
+        graphics.setColor(color(point));
         graphics.setStroke(new BasicStroke(1.5f));
         return graphics;
     }
@@ -153,11 +153,11 @@ public final class FrontChart implements StudyPicture {
         return point.cost().interval(study.noise(workload));
     }
 
-    private Color colour(Measurement point) {
-        Color colour = looks.get(point.method()).colour();
+    private Color color(Measurement point) {
+        Color color = looks.get(point.method()).color();
         return front.isBeaten(point.method())
-                ? MethodColors.mix(paper.ground(), colour, PALE)
-                : colour;
+                ? MethodColors.mix(paper.ground(), color, PALE)
+                : color;
     }
 
     /** Draws the steps from the quickest corner down to the most accurate one and to the right. */
@@ -190,7 +190,7 @@ public final class FrontChart implements StudyPicture {
             LogScale up,
             double border,
             boolean allExact) {
-        graphics.setColor(colour(spot.point()));
+        graphics.setColor(color(spot.point()));
         graphics.setStroke(new BasicStroke(1.4f));
         MedianInterval interval = interval(spot.point());
         bar(graphics, across.at(interval.low()), spot.y(), across.at(interval.high()), spot.y());
@@ -223,7 +223,7 @@ public final class FrontChart implements StudyPicture {
                                                 ? paper.note()
                                                 : paper.ink(),
                                         MethodColors.mix(
-                                                paper.ground(), colour(spot.point()), LEADER)))
+                                                paper.ground(), color(spot.point()), LEADER)))
                 .toList();
     }
 

@@ -27,10 +27,10 @@ final class LeaderColumn {
     /**
      * A name and where the line to it begins.
      *
-     * @param colour of the words
+     * @param color of the words
      * @param leader of the line
      */
-    record Label(String text, double x, double y, Color colour, Color leader) {}
+    record Label(String text, double x, double y, Color color, Color leader) {}
 
     /** Where a label stands: left end and middle of its row. */
     record Row(double x, double y) {}
@@ -121,7 +121,7 @@ final class LeaderColumn {
                             label.y() + share * (row.y() - label.y()),
                             end,
                             row.y()));
-            graphics.setColor(label.colour());
+            graphics.setColor(label.color());
             float baseline = (float) (row.y() + (metrics.getAscent() - metrics.getDescent()) / 2.0);
             graphics.drawString(label.text(), (float) row.x(), baseline);
         }

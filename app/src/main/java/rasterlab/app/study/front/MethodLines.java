@@ -17,7 +17,7 @@ record MethodLines(Map<String, MethodLook> looks, ChartLook paper) {
 
     /** The looks of a topic's methods on that paper. */
     static Map<String, MethodLook> looks(String topic, List<String> methods, ChartLook paper) {
-        var looks = new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(topic).colours()));
+        var looks = new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(topic).colors()));
         looks.replaceAll((method, look) -> look.on(paper));
         return looks;
     }
@@ -30,13 +30,13 @@ record MethodLines(Map<String, MethodLook> looks, ChartLook paper) {
      */
     LeaderColumn.Label draw(Graphics2D graphics, String method, String name, List<Point2D> places) {
         MethodLook look = looks.get(method);
-        graphics.setColor(look.colour());
+        graphics.setColor(look.color());
         graphics.setStroke(look.stroke());
         for (int i = 1; i < places.size(); i++)
             graphics.draw(new Line2D.Double(places.get(i - 1), places.get(i)));
         for (Point2D at : places) look.marker().paint(graphics, at.getX(), at.getY(), MARK);
         Point2D last = places.get(places.size() - 1);
-        return new LeaderColumn.Label(name, last.getX(), last.getY(), paper.ink(), look.colour());
+        return new LeaderColumn.Label(name, last.getX(), last.getY(), paper.ink(), look.color());
     }
 
     /** Names the lines to the right of the plot. */

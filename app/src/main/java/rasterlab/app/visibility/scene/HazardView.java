@@ -33,7 +33,7 @@ public enum HazardView {
     private final UnaryOperator<SphericalView> camera;
     private final double zoom;
     private final boolean difference;
-    private final boolean coloured;
+    private final boolean colored;
 
     /**
      * @param theta radians
@@ -68,7 +68,7 @@ public enum HazardView {
     /**
      * @param camera what becomes of the scene's first one; asked when the view is shown, for scenes
      *     take long to make
-     * @param coloured whether the scene has bodies of several colours
+     * @param colored whether the scene has bodies of several colours
      */
     HazardView(
             String scene,
@@ -76,13 +76,13 @@ public enum HazardView {
             UnaryOperator<SphericalView> camera,
             double zoom,
             boolean difference,
-            boolean coloured) {
+            boolean colored) {
         this.scene = scene;
         this.method = method;
         this.camera = camera;
         this.zoom = zoom;
         this.difference = difference;
-        this.coloured = coloured;
+        this.colored = colored;
     }
 
     /** Lower-case name with hyphens, part of keys and component names. */
@@ -93,9 +93,9 @@ public enum HazardView {
     /** The choice that shows this view; projection stays, and shading that tells bodies apart. */
     public VisibilityChoice shown(VisibilityChoice choice) {
         VisibilityChoice other = choice.withScene(scene);
-        if (coloured) other = other.inColours();
+        if (colored) other = other.inColors();
         return other.with(LookChoice.USUAL)
-                .withView(StageView.COLOURS)
+                .withView(StageView.COLORS)
                 .withVisibility(method)
                 .zoomed(zoom / other.zoom())
                 .withCamera(camera.apply(Scenes.named(scene).defaultCamera()))

@@ -1,5 +1,6 @@
 package rasterlab.app.visibility.scene;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -8,7 +9,8 @@ import rasterlab.engine.naming.Named;
 /** The view that the stage shows. */
 public enum StageView {
     /** The picture. */
-    COLOURS,
+    @JsonProperty("COLOURS")
+    COLORS,
     /** The depths that the method keeps; where it keeps none, those of the usual buffer. */
     DEPTHS,
     /** How the methods' work grows. */

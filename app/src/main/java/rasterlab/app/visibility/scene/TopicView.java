@@ -43,7 +43,7 @@ public record TopicView(
     private static final String AS_PAINTED = "none";
 
     private static final int BACKGROUND = 0xFFFFFF;
-    private static final int[] COLOURS = {
+    private static final int[] COLORS = {
         0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442, 0x0072B2, 0xD55E00, 0xCC79A7, 0x999999
     };
 
@@ -76,7 +76,7 @@ public record TopicView(
         }
         boolean cut = Double.isFinite(input.view().far());
         return new TopicView(
-                scene(name, mesh, colours(mesh.faceCount()), input.camera(), scale),
+                scene(name, mesh, colors(mesh.faceCount()), input.camera(), scale),
                 input.view().transform().projection(),
                 cut ? input.view().near() : 0,
                 input.view().far(),
@@ -100,7 +100,7 @@ public record TopicView(
                 scene(
                         name,
                         drawn.mesh(),
-                        Arrays.stream(drawn.numbers()).map(TopicView::colour).toArray(),
+                        Arrays.stream(drawn.numbers()).map(TopicView::color).toArray(),
                         camera,
                         ballScale(drawn.radius(), rho));
         return perspective(scene, drawn.drawnBy().orElse(drawnBy), drawn.differences());
@@ -161,22 +161,22 @@ public record TopicView(
         return scene(
                 name,
                 new Mesh(towardsX(xyz, rho), faces),
-                Arrays.stream(numbers).map(TopicView::colour).toArray(),
+                Arrays.stream(numbers).map(TopicView::color).toArray(),
                 new SphericalView(0, Math.PI / 2, rho),
                 scale(xyz, rho));
     }
 
     private static Scene scene(
-            String name, Mesh mesh, int[] colours, SphericalView camera, double scale) {
-        return Scene.dull(name, mesh, colours, BACKGROUND, camera, scale);
+            String name, Mesh mesh, int[] colors, SphericalView camera, double scale) {
+        return Scene.dull(name, mesh, colors, BACKGROUND, camera, scale);
     }
 
-    private static int[] colours(int faces) {
-        return IntStream.range(0, faces).map(TopicView::colour).toArray();
+    private static int[] colors(int faces) {
+        return IntStream.range(0, faces).map(TopicView::color).toArray();
     }
 
-    private static int colour(int face) {
-        return COLOURS[face % COLOURS.length];
+    private static int color(int face) {
+        return COLORS[face % COLORS.length];
     }
 
     /** Whether an eye can be so far away, in world units. */
@@ -233,7 +233,7 @@ public record TopicView(
         if (Double.isFinite(far)) look = look.withFar(far / rho).withNear(near / rho);
         VisibilityChoice other = choice.with(SceneChoice.of(scene));
         return other.with(look)
-                .withView(StageView.COLOURS)
+                .withView(StageView.COLORS)
                 .withVisibility(drawnBy.isEmpty() ? choice.visibility() : drawnBy)
                 .withShading(ShadingMethod.FLAT.code())
                 .withProjection(projection.code())

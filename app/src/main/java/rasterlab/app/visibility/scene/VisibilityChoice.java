@@ -47,7 +47,7 @@ public record VisibilityChoice(
     static final double LARGEST = 32;
 
     /** The shading that tells the faces of scenes with several colours apart. */
-    static final String OWN_COLOURS = "flat";
+    static final String OWN_COLORS = "flat";
 
     private static final String VASE_TONES = "tone";
 
@@ -74,7 +74,7 @@ public record VisibilityChoice(
                 FIRST_ZOOM,
                 false,
                 false,
-                StageView.COLOURS,
+                StageView.COLORS,
                 false,
                 LookChoice.USUAL,
                 PlanWish.FIRST);
@@ -168,8 +168,8 @@ public record VisibilityChoice(
     }
 
     /** The choice in the scene's own colours, unmarked. */
-    public VisibilityChoice inOwnColours() {
-        return withShading(OWN_COLOURS).withDifference(false);
+    public VisibilityChoice inOwnColors() {
+        return withShading(OWN_COLORS).withDifference(false);
     }
 
     public VisibilityChoice withComparison(String other) {
@@ -187,8 +187,8 @@ public record VisibilityChoice(
     }
 
     /** The same in the scene's own colours, where the vase's greys are chosen. */
-    VisibilityChoice inColours() {
-        return shading.equals(VASE_TONES) ? withShading(OWN_COLOURS) : this;
+    VisibilityChoice inColors() {
+        return shading.equals(VASE_TONES) ? withShading(OWN_COLORS) : this;
     }
 
     public VisibilityChoice withProjection(String other) {
@@ -248,7 +248,7 @@ public record VisibilityChoice(
             draft.comparison = "";
             draft.edges = false;
             draft.difference = false;
-            draft.view = StageView.COLOURS;
+            draft.view = StageView.COLORS;
             draft.drawing = false;
         }
         return draft.choice();

@@ -65,11 +65,11 @@ class ShownPictureTest {
         }
     }
 
-    private static Set<Integer> colours(BufferedImage image) {
-        var colours = new HashSet<Integer>();
+    private static Set<Integer> colors(BufferedImage image) {
+        var colors = new HashSet<Integer>();
         for (int y = 0; y < image.getHeight(); y++)
-            for (int x = 0; x < image.getWidth(); x++) colours.add(image.getRGB(x, y));
-        return colours;
+            for (int x = 0; x < image.getWidth(); x++) colors.add(image.getRGB(x, y));
+        return colors;
     }
 
     @Test
@@ -79,19 +79,19 @@ class ShownPictureTest {
         stage.setOpaque(false);
         stage.setBackground(Color.WHITE);
         stage.setSize(200, 100);
-        assertEquals(Set.of(GROUND), colours(ShownPicture.dotsOf(stage)));
+        assertEquals(Set.of(GROUND), colors(ShownPicture.dotsOf(stage)));
     }
 
     @Test
     void copiedPictureHasNoButtonsAndNoRing() {
-        assertEquals(Set.of(GROUND, Color.GREEN.getRGB()), colours(ShownPicture.dotsOf(stage())));
+        assertEquals(Set.of(GROUND, Color.GREEN.getRGB()), colors(ShownPicture.dotsOf(stage())));
     }
 
     @Test
     void screenHasBoth() {
         var image = new BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB);
         stage().paint(image.createGraphics());
-        Set<Integer> colours = colours(image);
-        assertTrue(colours.contains(RING) && colours.size() > 3, colours.toString());
+        Set<Integer> colors = colors(image);
+        assertTrue(colors.contains(RING) && colors.size() > 3, colors.toString());
     }
 }

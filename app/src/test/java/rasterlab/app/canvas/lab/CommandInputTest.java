@@ -40,7 +40,7 @@ class CommandInputTest {
     }
 
     @Test
-    void aQuotedColourStaysJson() {
+    void aQuotedColorStaysJson() {
         var task = new FillTask(List.of("\"\\", ".."), 0, 1, '"', 4);
         assertEquals(
                 "{\"picture\": [\"\\\"\\\\\", \"..\"], \"seed\": [0, 1], \"with\": \"\\\"\","

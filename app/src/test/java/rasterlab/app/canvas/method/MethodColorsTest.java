@@ -27,7 +27,7 @@ import rasterlab.engine.visibility.depth.DepthPrecision;
 
 class MethodColorsTest {
     /** The colours that colour-blind people can tell apart. */
-    private static final int MOST_COLOURS = 11;
+    private static final int MOST_COLORS = 11;
 
     /** Levels between two colours: one can tell them apart, and without looking twice. */
     private static final double LEAST = 12;
@@ -35,17 +35,16 @@ class MethodColorsTest {
     private static final double ENOUGH = 40;
 
     /** Methods of one picture, with their colours. */
-    record Together(List<String> methods, TopicColors colours) {
+    record Together(List<String> methods, TopicColors colors) {
         static Together of(Topic<?, ?, ?> topic) {
             return new Together(
                     topic.methods().stream().map(Method::name).toList(),
-                    LabRooms.card(topic.name()).colours());
+                    LabRooms.card(topic.name()).colors());
         }
 
         /** All for hidden surfaces, those too that no topic has. */
         static Together visibilities() {
-            return new Together(
-                    Renderer.visibilities(), LabRooms.card("hidden-surfaces").colours());
+            return new Together(Renderer.visibilities(), LabRooms.card("hidden-surfaces").colors());
         }
 
         /** Makes as many methods without colours of their own as the palette has colours. */
@@ -58,7 +57,7 @@ class MethodColorsTest {
         }
 
         Map<String, MethodLook> looks() {
-            return MethodLook.of(methods, colours);
+            return MethodLook.of(methods, colors);
         }
 
         @Override
@@ -68,32 +67,32 @@ class MethodColorsTest {
     }
 
     /** Topics whose methods all have colours of their own. */
-    static Stream<Together> coloured() {
+    static Stream<Together> colored() {
         return Stream.concat(
                 Stream.of(Together.visibilities()),
                 Topics.all().stream()
                         .map(Together::of)
-                        .filter(all -> all.colours.own().keySet().containsAll(all.methods)));
+                        .filter(all -> all.colors.own().keySet().containsAll(all.methods)));
     }
 
-    static Stream<Color> ownColours() {
+    static Stream<Color> ownColors() {
         return LabRooms.cards().stream()
-                .flatMap(card -> card.colours().own().values().stream())
+                .flatMap(card -> card.colors().own().values().stream())
                 .distinct();
     }
 
     @Test
-    void givesNoTwoMethodsOfATopicTheSameColour() {
-        for (Together all : coloured().filter(all -> all.methods.size() <= MOST_COLOURS).toList())
+    void givesNoTwoMethodsOfATopicTheSameColor() {
+        for (Together all : colored().filter(all -> all.methods.size() <= MOST_COLORS).toList())
             assertEquals(
                     all.methods.size(),
-                    new HashSet<>(all.methods.stream().map(all.colours::of).toList()).size(),
+                    new HashSet<>(all.methods.stream().map(all.colors::of).toList()).size(),
                     all.toString());
     }
 
     @Test
-    void methodsDifferInGreyByMarkOrLine() {
-        for (Together all : coloured().toList())
+    void methodsDifferInGrayByMarkOrLine() {
+        for (Together all : colored().toList())
             assertEquals(
                     all.methods.size(),
                     all.looks().values().stream()
@@ -104,9 +103,9 @@ class MethodColorsTest {
     }
 
     @Test
-    void methodsForHiddenSurfacesAllHaveColoursOfTheirOwn() {
+    void methodsForHiddenSurfacesAllHaveColorsOfTheirOwn() {
         List<String> names = Renderer.visibilities();
-        TopicColors own = Together.visibilities().colours;
+        TopicColors own = Together.visibilities().colors;
         assertEquals(names.size(), new HashSet<>(own.among(names).values()).size());
         for (String name : names) assertEquals(own.of(name), own.among(names).get(name), name);
     }
@@ -129,12 +128,12 @@ class MethodColorsTest {
 
     @Test
     @DisplayName("a colour for a dark ground is too dark, or is taken for another of the palette")
-    void coloursOfThePaletteDifferOnTheDarkStage() {
+    void colorsOfThePaletteDifferOnTheDarkStage() {
         Together all = Together.palette();
         List<String> names = all.methods;
         Color ground = StageColors.DARK.ground();
         for (String one : names) {
-            Color line = all.looks().get(one).on(ChartLook.on(StageColors.DARK)).colour();
+            Color line = all.looks().get(one).on(ChartLook.on(StageColors.DARK)).color();
             assertTrue(MethodColors.contrast(line, ground) >= 3, line.toString());
             for (String two : names.subList(0, names.indexOf(one))) {
                 double light = apart(all, one, two, StageColors.LIGHT);
@@ -142,9 +141,9 @@ class MethodColorsTest {
                 assertTrue(
                         dark >= Math.min(ENOUGH, light),
                         () ->
-                                all.looks().get(one).colour()
+                                all.looks().get(one).color()
                                         + ", "
-                                        + all.looks().get(two).colour()
+                                        + all.looks().get(two).color()
                                         + " are "
                                         + dark
                                         + " apart");
@@ -156,7 +155,7 @@ class MethodColorsTest {
     private static final double LEAST_OKLAB = 0.12;
 
     static Stream<Together> charts() {
-        var formats = new Together(DepthPrecision.FORMATS, LabRooms.card("depth-buffer").colours());
+        var formats = new Together(DepthPrecision.FORMATS, LabRooms.card("depth-buffer").colors());
         return Stream.concat(
                 Stream.of(Together.palette(), Together.visibilities(), formats),
                 Topics.all().stream().map(Together::of));
@@ -164,7 +163,7 @@ class MethodColorsTest {
 
     @ParameterizedTest(name = "two colours of one chart are near-alike: {0}")
     @MethodSource("charts")
-    void coloursOfOneChartAreFarApartInEveryTheme(Together all) {
+    void colorsOfOneChartAreFarApartInEveryTheme(Together all) {
         List<String> names = all.methods;
         Map<String, MethodLook> looks = all.looks();
         for (StageColors stage :
@@ -174,8 +173,8 @@ class MethodColorsTest {
                     ChartLook paper = ChartLook.on(stage);
                     double far =
                             perceived(
-                                    looks.get(one).on(paper).colour(),
-                                    looks.get(two).on(paper).colour());
+                                    looks.get(one).on(paper).color(),
+                                    looks.get(two).on(paper).color());
                     assertTrue(
                             far >= LEAST_OKLAB,
                             () -> one + ", " + two + " are " + far + " apart on " + stage.ground());
@@ -195,10 +194,10 @@ class MethodColorsTest {
         return Math.hypot(Math.hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
     }
 
-    private static double[] oklab(Color colour) {
-        double r = linear(colour.getRed());
-        double g = linear(colour.getGreen());
-        double b = linear(colour.getBlue());
+    private static double[] oklab(Color color) {
+        double r = linear(color.getRed());
+        double g = linear(color.getGreen());
+        double b = linear(color.getBlue());
         double l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
         double m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
         double s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
@@ -217,7 +216,7 @@ class MethodColorsTest {
     private static double apart(Together all, String one, String two, StageColors stage) {
         Map<String, MethodLook> looks = all.looks();
         ChartLook paper = ChartLook.on(stage);
-        return apart(looks.get(one).on(paper).colour(), looks.get(two).on(paper).colour());
+        return apart(looks.get(one).on(paper).color(), looks.get(two).on(paper).color());
     }
 
     /**
@@ -229,23 +228,23 @@ class MethodColorsTest {
     }
 
     /** Weights of red and green in luminance. */
-    private static double yellow(Color colour) {
-        return 0.23 * colour.getRed() + 0.77 * colour.getGreen();
+    private static double yellow(Color color) {
+        return 0.23 * color.getRed() + 0.77 * color.getGreen();
     }
 
     @ParameterizedTest(name = "pixels of {0} drown in the stage")
-    @MethodSource("ownColours")
-    void edgesStandOutFromBothStages(Color colour) {
+    @MethodSource("ownColors")
+    void edgesStandOutFromBothStages(Color color) {
         for (StageColors stage : List.of(StageColors.LIGHT, StageColors.DARK)) {
-            Color edge = MethodColors.edgeOn(stage.ground(), colour);
+            Color edge = MethodColors.edgeOn(stage.ground(), color);
             assertTrue(MethodColors.contrast(edge, stage.ground()) >= 3, edge.toString());
         }
     }
 
     @ParameterizedTest(name = "{0} looks like a wrong pixel")
-    @MethodSource("ownColours")
-    void keepsTheColourOfWrongPixelsFree(Color colour) {
-        assertNotEquals(PixelMark.COLOUR, colour);
+    @MethodSource("ownColors")
+    void keepsTheColorOfWrongPixelsFree(Color color) {
+        assertNotEquals(PixelMark.COLOR, color);
     }
 
     @Test
@@ -264,13 +263,13 @@ class MethodColorsTest {
 
     @Test
     @DisplayName("words in a method's colour are too dark on a dark ground, or too pale")
-    void wordsInAMethodsColourAreRead() {
+    void wordsInAMethodsColorAreRead() {
         for (StageColors stage :
                 List.of(StageColors.LIGHT, StageColors.DARK, StageColors.PROJECTOR))
-            for (Color colour : ownColours().toList()) {
-                Color words = MethodColors.textOn(stage.ground(), colour);
+            for (Color color : ownColors().toList()) {
+                Color words = MethodColors.textOn(stage.ground(), color);
                 double contrast = MethodColors.contrast(words, stage.ground());
-                assertTrue(contrast >= 4.5, colour + " on " + stage.ground() + ": " + contrast);
+                assertTrue(contrast >= 4.5, color + " on " + stage.ground() + ": " + contrast);
             }
     }
 }

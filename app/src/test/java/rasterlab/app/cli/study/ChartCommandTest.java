@@ -161,10 +161,10 @@ class ChartCommandTest {
         BufferedImage picture = ImageIO.read(png.toFile());
         assertEquals("1000×700", picture.getWidth() + "×" + picture.getHeight());
         assertTrue(
-                has(picture, LabRooms.card("depth-buffer").colours().of("zfloat"), 0, 350)
+                has(picture, LabRooms.card("depth-buffer").colors().of("zfloat"), 0, 350)
                         || has(
                                 picture,
-                                LabRooms.card("depth-buffer").colours().of("zfloat"),
+                                LabRooms.card("depth-buffer").colors().of("zfloat"),
                                 500,
                                 0),
                 "the colour of zfloat");
@@ -207,10 +207,10 @@ class ChartCommandTest {
     }
 
     /** Whether a quarter of the picture, with that corner at its top left, has the colour. */
-    private static boolean has(BufferedImage picture, Color colour, int left, int top) {
+    private static boolean has(BufferedImage picture, Color color, int left, int top) {
         for (int y = top; y < top + 350; y++)
             for (int x = left; x < left + 500; x++)
-                if (picture.getRGB(x, y) == colour.getRGB()) return true;
+                if (picture.getRGB(x, y) == color.getRGB()) return true;
         return false;
     }
 

@@ -32,7 +32,7 @@ class RasterPictureTest {
     @ParameterizedTest(name = "a mark fades where its pixel is three units wide: {0}")
     @EnumSource
     @DisplayName("marks in small pictures")
-    void markHasItsColourInSmallPictures(PixelMark mark) {
+    void markHasItsColorInSmallPictures(PixelMark mark) {
         RasterPicture picture = RasterPicture.of(picture(mark), new Dimension(4, 1), DOTS);
         var shown = new BufferedImage(9, 3, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = shown.createGraphics();

@@ -112,12 +112,12 @@ class SpeedPictureTest {
                                 new Rectangle(),
                                 new Rectangle(0, 0, 640, 420));
                         ground.add(new Color(image.getRGB(2, 2)));
-                        assertTrue(colours(image) > 20, "nothing is drawn");
+                        assertTrue(colors(image) > 20, "nothing is drawn");
                     });
         assertFalse(ground.get(0).equals(ground.get(1)), ground::toString);
     }
 
-    private static long colours(BufferedImage image) {
+    private static long colors(BufferedImage image) {
         return Arrays.stream(
                         image.getRGB(
                                 0,

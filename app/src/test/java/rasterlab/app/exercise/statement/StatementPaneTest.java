@@ -93,7 +93,7 @@ class StatementPaneTest {
 
     @ParameterizedTest(name = "formulas cannot be told from the ground: {0}")
     @EnumSource(LabTheme.class)
-    void formulasHaveTheColourOfTheText(LabTheme theme) throws Exception {
+    void formulasHaveTheColorOfTheText(LabTheme theme) throws Exception {
         StatementPane pane = settled("$\\boxed{E}$", theme, 200);
         var made = new BufferedImage[1];
         EventQueue.invokeAndWait(() -> made[0] = painted(pane, 200, 100));
@@ -109,8 +109,8 @@ class StatementPaneTest {
         assertEquals(Math.abs(text - ground), farthest, 0.2);
     }
 
-    private static double brightness(Color colour) {
-        return (colour.getRed() + colour.getGreen() + colour.getBlue()) / 765.0;
+    private static double brightness(Color color) {
+        return (color.getRed() + color.getGreen() + color.getBlue()) / 765.0;
     }
 
     @Test
@@ -148,7 +148,7 @@ class StatementPaneTest {
 
     @Test
     @DisplayName("a selected formula is as dark as the selection")
-    void aSelectedFormulaHasTheColourOfSelectedText() throws Exception {
+    void aSelectedFormulaHasTheColorOfSelectedText() throws Exception {
         StatementPane pane = settled("$\\boxed{E}$", LabTheme.LIGHT, 200);
         EventQueue.invokeAndWait(
                 () -> {

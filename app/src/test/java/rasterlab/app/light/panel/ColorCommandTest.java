@@ -8,7 +8,7 @@ import rasterlab.contract.ColorModel;
 
 class ColorCommandTest {
     @Test
-    void commandHasTheColourAsItWasWritten() {
+    void commandHasTheColorAsItWasWritten() {
         assertEquals(
                 "echo '{\"rgb\": [0.85, 0.45, 0.2]}' | ./lab run color formula",
                 ColorCommand.of(ColorChoice.first()));

@@ -35,18 +35,18 @@ class LightVerdictsTest {
 
     @Test
     @DisplayName("a colour has no verdict by its topic, or every colour the same")
-    void judgesColoursByTheirTopic() {
+    void judgesColorsByTheirTopic() {
         assertEquals(
                 Map.of(
                         "formula", Verdict.Kind.EXACT,
                         "formula-textbook", Verdict.Kind.WRONG,
                         "eight-bit", Verdict.Kind.DEGRADED),
-                LightVerdicts.ofColour(new double[] {0.5, 0.5, 0.5}));
+                LightVerdicts.ofColor(new double[] {0.5, 0.5, 0.5}));
         assertEquals(
                 Map.of(
                         "formula", Verdict.Kind.EXACT,
                         "formula-textbook", Verdict.Kind.EXACT,
                         "eight-bit", Verdict.Kind.WRONG),
-                LightVerdicts.ofColour(new double[] {0.02, 0.01, 0.09}));
+                LightVerdicts.ofColor(new double[] {0.02, 0.01, 0.09}));
     }
 }

@@ -152,10 +152,10 @@ class FigureLabModelTest {
     }
 
     @Test
-    void radiusIsDraggedAndTheCentreTakesItAlong() {
+    void radiusIsDraggedAndTheCenterTakesItAlong() {
         model.move(ArcFigure.RADIUS_X, 7.4, 3);
         assertEquals(new ArcFigure(true, 0, 0, 7, 7), arc());
-        model.move(ArcFigure.CENTRE, 5, -2);
+        model.move(ArcFigure.CENTER, 5, -2);
         assertEquals(new ArcFigure(true, 5, -2, 7, 7), arc());
         model.move(ArcFigure.RADIUS_X, 2, 0);
         assertEquals(3, arc().radiusX());
@@ -173,8 +173,8 @@ class FigureLabModelTest {
                 FigureDrawing drawn = drawing();
                 ArcFigure figure = arc();
                 for (int i = 0; i < drawn.steps(); i++) {
-                    double u = Math.abs((double) drawn.pixels().x(i) - figure.centreX());
-                    double v = Math.abs((double) drawn.pixels().y(i) - figure.centreY());
+                    double u = Math.abs((double) drawn.pixels().x(i) - figure.centerX());
+                    double v = Math.abs((double) drawn.pixels().y(i) - figure.centerY());
                     assertTrue(
                             drawn.decisions().containsKey(new RasterPoint(u, v))
                                     || drawn.decisions().containsKey(new RasterPoint(v, u)),
@@ -339,7 +339,7 @@ class FigureLabModelTest {
         for (LineMode mode : List.of(LineMode.CIRCLE, LineMode.ELLIPSE)) {
             model.chooseMode(mode);
             model.chooseMethod("parametric");
-            model.move(ArcFigure.CENTRE, 3, -4);
+            model.move(ArcFigure.CENTER, 3, -4);
             String command = FigureCommand.of(model.state().scene()).orElseThrow();
             String json = command.substring(6, command.lastIndexOf('\''));
             var out = new ByteArrayOutputStream();

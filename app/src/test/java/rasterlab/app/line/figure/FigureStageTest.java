@@ -71,7 +71,7 @@ class FigureStageTest {
     }
 
     static Stream<Arguments> typed() {
-        UnaryOperator<ArcFigure> far = old -> old.withCentre(1_000_000, old.centreY());
+        UnaryOperator<ArcFigure> far = old -> old.withCenter(1_000_000, old.centerY());
         UnaryOperator<ArcFigure> large = old -> old.withRadiusX(5_000);
         UnaryOperator<ArcFigure> tall = old -> old.withRadiusY(5_000);
         return Stream.of(
@@ -84,13 +84,13 @@ class FigureStageTest {
     @Test
     void sightThatWasChosenStaysAsLongAsTheFigureIsInIt() {
         zoomOut(3);
-        Rectangle before = handle(ArcFigure.CENTRE);
+        Rectangle before = handle(ArcFigure.CENTER);
         typed(old -> old.withRadiusX(12));
-        assertEquals(before, handle(ArcFigure.CENTRE));
+        assertEquals(before, handle(ArcFigure.CENTER));
         typed(old -> old.withRadiusX(5_000));
         assertSeen();
         zoomOut(3);
-        typed(old -> old.withCentre(1_000_000, 0));
+        typed(old -> old.withCenter(1_000_000, 0));
         assertSeen();
     }
 
@@ -156,15 +156,15 @@ class FigureStageTest {
         }
         int apart =
                 handle(ArcFigure.RADIUS_X).x
-                        - handle(ArcFigure.CENTRE).x
+                        - handle(ArcFigure.CENTER).x
                         + handle(largerRadius()).y
-                        - handle(ArcFigure.CENTRE).y;
+                        - handle(ArcFigure.CENTER).y;
         assertTrue(apart > 100, "the figure is a spot of " + apart + " view units");
     }
 
     private String largerRadius() {
         return model.state().scene().mode() == LineMode.CIRCLE
-                ? ArcFigure.CENTRE
+                ? ArcFigure.CENTER
                 : ArcFigure.RADIUS_Y;
     }
 

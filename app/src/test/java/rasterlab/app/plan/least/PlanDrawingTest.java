@@ -35,7 +35,7 @@ class PlanDrawingTest {
 
     private final Renderer renderer = new Renderer();
     private final PlanDrawing drawing = new PlanDrawing();
-    private final Scene torus = onGrey(Scenes.named("torus", 64));
+    private final Scene torus = onGray(Scenes.named("torus", 64));
     private final Map<Look, Integer> tints = new IdentityHashMap<>();
     private RenderRequest full = seen(0);
 
@@ -45,7 +45,7 @@ class PlanDrawingTest {
     }
 
     /** A ground that can get both brighter and darker. */
-    private static Scene onGrey(Scene scene) {
+    private static Scene onGray(Scene scene) {
         return new Scene(
                 scene.name(),
                 scene.mesh(),

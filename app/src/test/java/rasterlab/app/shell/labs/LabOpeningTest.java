@@ -3,7 +3,7 @@ package rasterlab.app.shell.labs;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.COLOUR_CUT;
+import static rasterlab.app.canvas.method.ShownDifference.Kind.COLOR_CUT;
 import static rasterlab.app.canvas.method.ShownDifference.Kind.CORNER_MOVED;
 import static rasterlab.app.canvas.method.ShownDifference.Kind.FACES_ALL;
 import static rasterlab.app.canvas.method.ShownDifference.Kind.FACES_FOUND;
@@ -111,9 +111,9 @@ class LabOpeningTest {
                     Map.entry("shade zero-area-face", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade light-in-the-point", EnumSet.of(LAMP_BESIDE)),
                     Map.entry("shade outside-the-cone", EnumSet.of(POINT_ASIDE)),
-                    Map.entry("color brighter-than-white", EnumSet.of(COLOUR_CUT)),
-                    Map.entry("color too-dark-for-digits", EnumSet.of(COLOUR_CUT)),
-                    Map.entry("color outside-the-cube", EnumSet.of(COLOUR_CUT)));
+                    Map.entry("color brighter-than-white", EnumSet.of(COLOR_CUT)),
+                    Map.entry("color too-dark-for-digits", EnumSet.of(COLOR_CUT)),
+                    Map.entry("color outside-the-cube", EnumSet.of(COLOR_CUT)));
 
     /** Drops pictures of the background: an older answer would undo a choice. */
     private final LabModels models =

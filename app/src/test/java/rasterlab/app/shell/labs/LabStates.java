@@ -72,7 +72,7 @@ public final class LabStates {
                             MadeLabs.visibility(models).watchSteps(true);
                         }));
         others.add(
-                new Other("light", "colours", models -> MadeLabs.light(models).showColours(true)));
+                new Other("light", "colours", models -> MadeLabs.light(models).showColors(true)));
         others.add(
                 new Other(
                         "visibility",

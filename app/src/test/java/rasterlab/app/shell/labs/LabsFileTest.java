@@ -272,6 +272,7 @@ class LabsFileTest {
         var line = (ObjectNode) root.path("line");
         line.remove("method");
         ((ObjectNode) line.path("segment")).remove("window");
+        ((ObjectNode) root.path("light")).remove(List.of("colours", "colour"));
         mapper.writeValue(folder.resolve("labs.json").toFile(), root);
         Map<String, Object> opened = shown(models -> {}, true);
         assertEquals(List.of(), problems);

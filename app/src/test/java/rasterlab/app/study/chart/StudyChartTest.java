@@ -135,7 +135,7 @@ class StudyChartTest {
 
     @Test
     void noTwoMethodsOfATopicLookTheSame() {
-        Topics.all().forEach(topic -> assertDistinct(names(topic), colours(topic)));
+        Topics.all().forEach(topic -> assertDistinct(names(topic), colors(topic)));
         assertDistinct(
                 IntStream.range(0, 77).mapToObj(i -> "m" + i).toList(), new TopicColors(Map.of()));
     }
@@ -144,21 +144,21 @@ class StudyChartTest {
         return topic.methods().stream().map(Method::name).toList();
     }
 
-    private static TopicColors colours(Topic<?, ?, ?> topic) {
-        return LabRooms.card(topic.name()).colours();
+    private static TopicColors colors(Topic<?, ?, ?> topic) {
+        return LabRooms.card(topic.name()).colors();
     }
 
-    private static void assertDistinct(List<String> methods, TopicColors colours) {
-        Map<String, MethodLook> looks = MethodLook.of(methods, colours);
+    private static void assertDistinct(List<String> methods, TopicColors colors) {
+        Map<String, MethodLook> looks = MethodLook.of(methods, colors);
         assertEquals(methods.size(), Set.copyOf(looks.values()).size(), methods.toString());
     }
 
     @Test
-    void topicsOfUpToElevenMethodsHaveAColourForEach() {
+    void topicsOfUpToElevenMethodsHaveAColorForEach() {
         for (Topic<?, ?, ?> topic : Topics.all())
             assertEquals(
                     Math.min(11, names(topic).size()),
-                    Math.min(11, Set.copyOf(colours(topic).among(names(topic)).values()).size()),
+                    Math.min(11, Set.copyOf(colors(topic).among(names(topic)).values()).size()),
                     topic.name());
     }
 
@@ -215,7 +215,7 @@ class StudyChartTest {
     }
 
     @Test
-    void chartUsesTheMethodsColourAndSurvivesMethodsWithoutTime() {
+    void chartUsesTheMethodsColorAndSurvivesMethodsWithoutTime() {
         var endless =
                 new Measurement(
                         "naive-textbook",
@@ -229,7 +229,7 @@ class StudyChartTest {
                 StudyChart.image(
                         new Study("line", "pixel", "pixels", List.of(point("dda", 3), endless)),
                         Language.ENGLISH);
-        assertTrue(has(chart, LabRooms.card("line").colours().of("dda").getRGB()), "colour of dda");
+        assertTrue(has(chart, LabRooms.card("line").colors().of("dda").getRGB()), "colour of dda");
         StudyChart.image(new Study("line", "pixel", "pixels", List.of(endless)), Language.ENGLISH);
     }
 

@@ -28,7 +28,7 @@ class HazardViewTest {
 
     @ParameterizedTest(name = "the bodies of {0} are all grey")
     @EnumSource(names = {"CYCLIC", "PIERCING", "COPLANAR", "COARSE"})
-    void bodiesHaveTheirOwnColoursInsteadOfTheVasesGreys(HazardView view) {
+    void bodiesHaveTheirOwnColorsInsteadOfTheVasesGrays(HazardView view) {
         assertEquals("flat", view.shown(VisibilityChoice.first()).shading());
         var smooth = VisibilityChoice.first().withShading("phong");
         assertEquals("phong", view.shown(smooth).shading(), "chosen by the user");

@@ -13,7 +13,7 @@ final class Enclosure {
     static Optional<Ring> of(Ring window, Ring subject) {
         for (int side = 0; side < window.size(); side++)
             if (window.side(side, subject.x(0), subject.y(0)) <= 0)
-                return holdsCentre(window, subject) ? Optional.of(window) : Optional.empty();
+                return holdsCenter(window, subject) ? Optional.of(window) : Optional.empty();
         return Optional.of(subject);
     }
 
@@ -22,7 +22,7 @@ final class Enclosure {
      * subject: whether a ray from it to the right passes the boundary an odd number of times. All
      * is computed for 3·c, without rounding; no edge holds c.
      */
-    private static boolean holdsCentre(Ring window, Ring subject) {
+    private static boolean holdsCenter(Ring window, Ring subject) {
         BigDecimal x = BigDecimal.ZERO;
         BigDecimal y = BigDecimal.ZERO;
         for (int i = 0; i < 3; i++) {

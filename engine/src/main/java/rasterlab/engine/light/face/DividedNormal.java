@@ -16,7 +16,7 @@ final class DividedNormal {
     static void of(LitFace face, double[] middle, double[] normal) {
         double[] forward = FacePoint.difference(middle, face.eye());
         double depth = UnitVector.length(forward);
-        UnitVector.normalise(forward);
+        UnitVector.normalize(forward);
         double[] right = across(forward);
         double[] up = {
             forward[1] * right[2] - forward[2] * right[1],
@@ -43,7 +43,7 @@ final class DividedNormal {
                 Math.abs(forward[2]) < 0.9
                         ? new double[] {forward[1], -forward[0], 0}
                         : new double[] {0, forward[2], -forward[1]};
-        UnitVector.normalise(across);
+        UnitVector.normalize(across);
         return across;
     }
 

@@ -42,7 +42,7 @@ final class FacePoint {
         var unit = new double[9];
         for (int i = 0; i < 9; i += 3) {
             double[] one = {three[i], three[i + 1], three[i + 2]};
-            UnitVector.normalise(one);
+            UnitVector.normalize(one);
             System.arraycopy(one, 0, unit, i, 3);
         }
         return unit;

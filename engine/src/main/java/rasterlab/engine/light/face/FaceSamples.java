@@ -41,7 +41,7 @@ final class FaceSamples {
     }
 
     /** The same share of every colour. */
-    static SurfaceMaterial grey(double diffuse, double specular, double shininess) {
+    static SurfaceMaterial gray(double diffuse, double specular, double shininess) {
         double[] d = {diffuse, diffuse, diffuse};
         double[] s = {specular, specular, specular};
         return new SurfaceMaterial(d, d, s, new double[3], shininess);

@@ -17,7 +17,7 @@ final class FaceWorkloads {
         for (int rows : new int[] {3, 10, 30}) {
             var points =
                     FacePoints.grid(
-                            FaceSamples.dome(REACH, lamp, eye, FaceSamples.grey(0.5, 0.4, 30)),
+                            FaceSamples.dome(REACH, lamp, eye, FaceSamples.gray(0.5, 0.4, 30)),
                             rows);
             workloads.add(
                     new Workload<>("pixels-" + points.count(), points.count(), List.of(points)));

@@ -23,7 +23,7 @@ public final class MachBands {
 
     private static final double[] LAMP = {3, 0, 6};
     private static final double[] EYE = {0, 0, 8};
-    private static final SurfaceMaterial SHINY = FaceSamples.grey(0.6, 0.35, 30);
+    private static final SurfaceMaterial SHINY = FaceSamples.gray(0.6, 0.35, 30);
 
     private MachBands() {}
 

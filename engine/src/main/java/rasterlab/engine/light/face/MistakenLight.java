@@ -25,9 +25,9 @@ enum MistakenLight {
         double[] l = FacePoint.difference(face.lamp(), place);
         double[] v = FacePoint.difference(face.eye(), place);
         double weaker = face.light().attenuation().factor(UnitVector.length(l));
-        if (this != NORMAL_AS_GIVEN) UnitVector.normalise(n);
-        UnitVector.normalise(l);
-        UnitVector.normalise(v);
+        if (this != NORMAL_AS_GIVEN) UnitVector.normalize(n);
+        UnitVector.normalize(l);
+        UnitVector.normalize(v);
         double cosine = dot(n, l);
         double mirrored = Math.max(0, 2 * cosine * dot(n, v) - dot(l, v));
         boolean shines = cosine > 0 || this == HIGHLIGHT_FROM_BEHIND;

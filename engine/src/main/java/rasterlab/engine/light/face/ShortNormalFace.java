@@ -32,8 +32,8 @@ final class ShortNormalFace implements SteppedFace {
         double[] l = FacePoint.difference(face.lamp(), place);
         double[] v = FacePoint.difference(face.eye(), place);
         double strength = face.light().attenuation().factor(UnitVector.length(l));
-        UnitVector.normalise(l);
-        UnitVector.normalise(v);
+        UnitVector.normalize(l);
+        UnitVector.normalize(v);
         double cosine = Math.max(0, dot(n, l));
         double mirrored = Math.max(0, 2 * cosine * dot(n, v) - dot(l, v));
         double specular = cosine > 0 ? Powers.of(mirrored, face.material().shininess()) : 0;

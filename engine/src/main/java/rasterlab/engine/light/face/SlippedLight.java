@@ -37,9 +37,9 @@ enum SlippedLight {
                         : FacePoint.difference(face.lamp(), place);
         double[] v = FacePoint.difference(face.eye(), place);
         double distance = UnitVector.length(this == WEAKENED_BY_THE_EYE ? v : l);
-        UnitVector.normalise(n);
-        if (this != TO_LIGHT_NOT_NORMALIZED) UnitVector.normalise(l);
-        if (this != TO_EYE_NOT_NORMALIZED) UnitVector.normalise(v);
+        UnitVector.normalize(n);
+        if (this != TO_LIGHT_NOT_NORMALIZED) UnitVector.normalize(l);
+        if (this != TO_EYE_NOT_NORMALIZED) UnitVector.normalize(v);
         double cosine = dot(n, l);
         double shown = this == LIT_FROM_BOTH_SIDES ? Math.abs(cosine) : cosine;
         double mirrored = 2 * cosine * dot(n, v) - dot(l, v);

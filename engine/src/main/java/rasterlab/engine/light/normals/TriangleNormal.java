@@ -35,8 +35,8 @@ public final class TriangleNormal {
         int a = 3 * triangles[face];
         double[] p = edge(vertices, a, 3 * triangles[face + 1]);
         double[] q = edge(vertices, a, 3 * triangles[face + 2]);
-        UnitVector.normalise(p);
-        UnitVector.normalise(q);
+        UnitVector.normalize(p);
+        UnitVector.normalize(q);
         out[0] = p[1] * q[2] - p[2] * q[1];
         out[1] = p[2] * q[0] - p[0] * q[2];
         out[2] = p[0] * q[1] - p[1] * q[0];
@@ -50,8 +50,8 @@ public final class TriangleNormal {
         int a = 3 * triangles[face + corner];
         double[] p = edge(vertices, a, 3 * triangles[face + (corner + 1) % 3]);
         double[] q = edge(vertices, a, 3 * triangles[face + (corner + 2) % 3]);
-        UnitVector.normalise(p);
-        UnitVector.normalise(q);
+        UnitVector.normalize(p);
+        UnitVector.normalize(q);
         double[] cross = {
             p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
         };

@@ -61,7 +61,7 @@ public final class WeightedNormals implements SteppedNormals {
             if (weight == Weight.ANGLE && UnitVector.length(normal) < VANISHING)
                 TriangleNormal.direction(vertices, triangles, 3 * face(), normal);
             area = UnitVector.length(normal);
-            return UnitVector.normalise(normal);
+            return UnitVector.normalize(normal);
         }
 
         @Override
@@ -100,7 +100,7 @@ public final class WeightedNormals implements SteppedNormals {
         for (int vertex = 0; vertex < weights.length; vertex++) {
             System.arraycopy(sums, 3 * vertex, sum, 0, 3);
             if (UnitVector.length(sum) <= CANCELLED * weights[vertex]) sum = new double[3];
-            UnitVector.normalise(sum);
+            UnitVector.normalize(sum);
             System.arraycopy(sum, 0, sums, 3 * vertex, 3);
         }
     }

@@ -129,7 +129,7 @@ public final class FormulaShader implements PointShader, TermShader {
 
     private static double[] unit(String name, double[] vector) {
         double[] unit = vector.clone();
-        if (!UnitVector.normalise(unit))
+        if (!UnitVector.normalize(unit))
             throw new IllegalArgumentException(name + " must not be zero, got (0, 0, 0)");
         return unit;
     }

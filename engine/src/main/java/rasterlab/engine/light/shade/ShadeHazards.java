@@ -59,7 +59,7 @@ final class ShadeHazards {
                                 1,
                                 DIM,
                                 withAmbient(Attenuation.none()),
-                                grey(0.5))));
+                                gray(0.5))));
     }
 
     private static List<Hazard<LitPoints>> eyes() {
@@ -149,7 +149,7 @@ final class ShadeHazards {
                                 3,
                                 DIM,
                                 LightSource.white().attenuated(new Attenuation(1, 0, 1)),
-                                grey(0.8))),
+                                gray(0.8))),
                 hazard(
                         "own-ambient-and-distance",
                         WRONG,
@@ -161,7 +161,7 @@ final class ShadeHazards {
                                 3,
                                 DIM,
                                 withAmbient(new Attenuation(1, 0, 1)),
-                                grey(0))),
+                                gray(0))),
                 hazard(
                         "outside-the-cone",
                         WRONG,
@@ -170,7 +170,7 @@ final class ShadeHazards {
     }
 
     private static LightSource withAmbient(Attenuation attenuation) {
-        return new LightSource(grey(0.7), grey(1), grey(1), attenuation, SpotCone.none());
+        return new LightSource(gray(0.7), gray(1), gray(1), attenuation, SpotCone.none());
     }
 
     private static LitPoint lit(double[] normal, double[] toLight, double[] toEye) {
@@ -186,10 +186,10 @@ final class ShadeHazards {
     private static SurfaceMaterial material(
             double ambient, double diffuse, double specular, double shininess) {
         return new SurfaceMaterial(
-                grey(ambient), grey(diffuse), grey(specular), grey(0), shininess);
+                gray(ambient), gray(diffuse), gray(specular), gray(0), shininess);
     }
 
-    private static double[] grey(double share) {
+    private static double[] gray(double share) {
         return new double[] {share, share, share};
     }
 

@@ -119,7 +119,7 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
                 if (error > 0 && first.isEmpty())
                     first =
                             "%s of point %d is %s, right is %s"
-                                    .formatted(colour(i), i / 3, is[i], written(right[i]));
+                                    .formatted(color(i), i / 3, is[i], written(right[i]));
                 worst = Math.max(worst, error);
             }
         }
@@ -132,7 +132,7 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
         return Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
     }
 
-    private static String colour(int index) {
+    private static String color(int index) {
         return List.of("red", "green", "blue").get(index % 3);
     }
 

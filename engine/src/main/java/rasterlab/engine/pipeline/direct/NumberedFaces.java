@@ -28,9 +28,9 @@ public final class NumberedFaces implements Visibility {
         if (space.empty()) return painted(0);
         var numbers = new Raster(out.width(), out.height());
         int[] faces = IntStream.range(0, view.mesh().faceCount()).toArray();
-        int[] colours = IntStream.of(faces).map(face -> 0xFF000000 | face + 1).toArray();
+        int[] colors = IntStream.of(faces).map(face -> 0xFF000000 | face + 1).toArray();
         var packed = PackedFaces.apart(view.mesh(), faces);
-        var surface = new Surface.Flat(new FaceTint(packed, colours));
+        var surface = new Surface.Flat(new FaceTint(packed, colors));
         try (var pipeline = new TrianglePipeline()) {
             pipeline.drawOn(0, packed.triangles(), space.view(), surface, numbers, cancelled);
         }

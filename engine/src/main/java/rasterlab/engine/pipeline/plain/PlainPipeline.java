@@ -115,8 +115,8 @@ public final class PlainPipeline {
         int bottom = (int) Math.min(out.height() - 1, Math.max(a.y, Math.max(b.y, c.y)));
         for (int row = top; row <= bottom; row++)
             for (int column = left; column <= right; column++) {
-                double x = column + PixelPoint.RIGHT_OF_CENTRE;
-                double y = row + PixelPoint.BELOW_CENTRE;
+                double x = column + PixelPoint.RIGHT_OF_CENTER;
+                double y = row + PixelPoint.BELOW_CENTER;
                 double weightA = edge(b, c, x, y) / area;
                 double weightB = edge(c, a, x, y) / area;
                 double weightC = edge(a, b, x, y) / area;

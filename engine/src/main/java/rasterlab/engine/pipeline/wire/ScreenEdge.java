@@ -106,8 +106,8 @@ final class ScreenEdge {
         double from = steep() ? y[0] : x[0];
         double length = (steep() ? y[1] : x[1]) - from;
         if (length == 0) return 0;
-        double centre = Math.rint(from) + Math.signum(length) * step;
-        return Math.max(0, Math.min(1, (centre - from) / length));
+        double center = Math.rint(from) + Math.signum(length) * step;
+        return Math.max(0, Math.min(1, (center - from) / length));
     }
 
     double x(double t) {

@@ -6,7 +6,7 @@ import rasterlab.engine.texture.Texture;
 /** Textures drawn by formulas. */
 final class Pictures {
     private static final int OPAQUE = 0xFF000000;
-    private static final int COLOUR = 3;
+    private static final int COLOR = 3;
 
     private Pictures() {}
 
@@ -53,6 +53,6 @@ final class Pictures {
         int[] argb = new int[width * height];
         for (int y = 0; y < height; y++)
             for (int x = 0; x < width; x++) argb[y * width + x] = OPAQUE | rgb.applyAsInt(x, y);
-        return Texture.of(width, height, COLOUR, argb);
+        return Texture.of(width, height, COLOR, argb);
     }
 }

@@ -8,10 +8,10 @@ import java.util.OptionalDouble;
 final class MaterialValues {
     final String name;
     final String place;
-    List<Double> ambient = grey(ReadingRules.AMBIENT);
-    List<Double> diffuse = grey(ReadingRules.DIFFUSE);
-    List<Double> specular = grey(ReadingRules.SPECULAR);
-    List<Double> emitted = grey(ReadingRules.EMITTED);
+    List<Double> ambient = gray(ReadingRules.AMBIENT);
+    List<Double> diffuse = gray(ReadingRules.DIFFUSE);
+    List<Double> specular = gray(ReadingRules.SPECULAR);
+    List<Double> emitted = gray(ReadingRules.EMITTED);
     double shininess = ReadingRules.SHININESS.numberInstead();
     OptionalDouble opacity = OptionalDouble.empty();
     OptionalDouble transparency = OptionalDouble.empty();
@@ -26,7 +26,7 @@ final class MaterialValues {
         this.place = place;
     }
 
-    private static List<Double> grey(Rule rule) {
+    private static List<Double> gray(Rule rule) {
         double level = rule.numberInstead();
         return List.of(level, level, level);
     }

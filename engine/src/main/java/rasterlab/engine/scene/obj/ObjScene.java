@@ -87,8 +87,8 @@ public final class ObjScene {
                 new Material(new SurfaceMaterial(color, color, new double[3], color, 0), 1));
     }
 
-    private static double[] shares(List<Double> colour) {
-        return colour.stream().mapToDouble(share -> Math.min(1, share)).toArray();
+    private static double[] shares(List<Double> color) {
+        return color.stream().mapToDouble(share -> Math.min(1, share)).toArray();
     }
 
     private static LaidTexture laid(Texture picture, ObjMaterial.Map map) {

@@ -4,7 +4,7 @@ import java.util.List;
 import rasterlab.engine.geometry.Vector;
 
 /**
- * A parallelogram {@code p = centre + u·right + v·up}, u and v from −1 to 1, with a place of the
+ * A parallelogram {@code p = center + u·right + v·up}, u and v from −1 to 1, with a place of the
  * texture at each corner and between them in u and v: along any line of constant u or v evenly.
  *
  * <p>It is seen from the side {@code right × up} points to, and met from both. A place lies within
@@ -14,7 +14,7 @@ public final class Quad implements SceneShape, Patch {
     /** A parallelogram whose sine is below this is refused. */
     private static final double NARROWEST = 1e-9;
 
-    private final Vector centre;
+    private final Vector center;
     private final Vector right;
     private final Vector up;
     private final Vector normal;
@@ -26,20 +26,20 @@ public final class Quad implements SceneShape, Patch {
      * @param up from the centre to the middle of the upper side
      * @param corners of the texture: lower left, lower right, upper right, upper left
      */
-    public Quad(Vector centre, Vector right, Vector up, TexturePlace... corners) {
+    public Quad(Vector center, Vector right, Vector up, TexturePlace... corners) {
         if (corners.length != 4)
             throw new IllegalArgumentException(
                     "a quad has 4 corners, got " + corners.length + " places of a texture");
-        Size.requireCoordinate("quad's x", centre.x());
-        Size.requireCoordinate("quad's y", centre.y());
-        Size.requireCoordinate("quad's z", centre.z());
+        Size.requireCoordinate("quad's x", center.x());
+        Size.requireCoordinate("quad's y", center.y());
+        Size.requireCoordinate("quad's z", center.z());
         Size.require("quad's right", right.length());
         Size.require("quad's up", up.length());
         Vector cross = right.cross(up);
         if (!(cross.length() > NARROWEST * right.length() * up.length()))
             throw new IllegalArgumentException(
                     "quad's right and up must span an area, got %s and %s".formatted(right, up));
-        this.centre = centre;
+        this.center = center;
         this.right = right;
         this.up = up;
         this.corners = corners.clone();
@@ -48,9 +48,9 @@ public final class Quad implements SceneShape, Patch {
     }
 
     /** A parallelogram that shows the texture once. */
-    public static Quad whole(Vector centre, Vector right, Vector up) {
+    public static Quad whole(Vector center, Vector right, Vector up) {
         return new Quad(
-                centre,
+                center,
                 right,
                 up,
                 new TexturePlace(0, 0),
@@ -77,9 +77,9 @@ public final class Quad implements SceneShape, Patch {
     @Override
     public void at(double u, double v, SurfacePoint out) {
         out.place(
-                centre.x() + u * right.x() + v * up.x(),
-                centre.y() + u * right.y() + v * up.y(),
-                centre.z() + u * right.z() + v * up.z());
+                center.x() + u * right.x() + v * up.x(),
+                center.y() + u * right.y() + v * up.y(),
+                center.z() + u * right.z() + v * up.z());
         finish(u, v, out);
     }
 
@@ -104,14 +104,14 @@ public final class Quad implements SceneShape, Patch {
         double slope = normal.x() * ray.dx + normal.y() * ray.dy + normal.z() * ray.dz;
         if (slope == 0) return;
         double height =
-                normal.x() * (centre.x() - ray.ox)
-                        + normal.y() * (centre.y() - ray.oy)
-                        + normal.z() * (centre.z() - ray.oz);
+                normal.x() * (center.x() - ray.ox)
+                        + normal.y() * (center.y() - ray.oy)
+                        + normal.z() * (center.z() - ray.oz);
         double t = height / slope;
         if (!ray.takes(t)) return;
-        double x = ray.x(t) - centre.x();
-        double y = ray.y(t) - centre.y();
-        double z = ray.z(t) - centre.z();
+        double x = ray.x(t) - center.x();
+        double y = ray.y(t) - center.y();
+        double z = ray.z(t) - center.z();
         double u = alongNormal(x, y, z, up) / area;
         double v = -alongNormal(x, y, z, right) / area;
         if (Math.abs(u) <= 1 && Math.abs(v) <= 1) finish(u, v, ray.take(t));

@@ -94,14 +94,14 @@ final class FilterFormat extends Format<TextureFilter, FilteredPixels, double[]>
             int below = (pixels.height() - 1 - y) * pixels.width();
             rows.add(
                     Arrays.stream(pixels.argb(), below, below + pixels.width())
-                            .map(FilterFormat::grey)
+                            .map(FilterFormat::gray)
                             .boxed()
                             .toList());
         }
         return new Given().with(PICTURE, rows).with(PIXELS, pixels.footprints());
     }
 
-    private static int grey(int argb) {
+    private static int gray(int argb) {
         int level = argb & 0xFF;
         if (argb != (0xFF000000 | 0x010101 * level))
             throw new IllegalArgumentException(

@@ -169,14 +169,14 @@ final class FilterHazards {
 
     /** A grey level for each texel. */
     @FunctionalInterface
-    private interface Grey {
+    private interface Gray {
         int at(int i, int j);
     }
 
-    private static FilteredPixels picture(int size, Grey grey) {
+    private static FilteredPixels picture(int size, Gray gray) {
         var argb = new int[size * size];
         for (int k = 0; k < argb.length; k++)
-            argb[k] = 0xFF000000 | 0x010101 * grey.at(k % size, k / size);
+            argb[k] = 0xFF000000 | 0x010101 * gray.at(k % size, k / size);
         return new FilteredPixels(size, size, argb, new double[0]);
     }
 

@@ -78,8 +78,8 @@ public final class DepthBuffer {
         for (int i = 0; i < stored.length; i++) {
             double share = (stored[i] - least) / extent;
             double near = largerIsNearer ? share : 1 - share;
-            int grey = (int) Math.round(FARTHEST + (NEAREST - FARTHEST) * near);
-            picture.argb()[i] = Double.isNaN(share) ? empty : 0xFF000000 | 0x010101 * grey;
+            int gray = (int) Math.round(FARTHEST + (NEAREST - FARTHEST) * near);
+            picture.argb()[i] = Double.isNaN(share) ? empty : 0xFF000000 | 0x010101 * gray;
         }
         return picture;
     }

@@ -126,7 +126,7 @@ public final class PixelHistory {
     private void addLeftOut(BooleanSupplier cancelled) {
         var known = new boolean[view.mesh().faceCount()];
         touches.forEach(touch -> known[touch.face()] = true);
-        int colour = touches.isEmpty() ? out.argb(x, y) : touches.get(touches.size() - 1).after();
+        int color = touches.isEmpty() ? out.argb(x, y) : touches.get(touches.size() - 1).after();
         var rest = new ArrayList<PixelTouch>();
         var polygon = new ScreenPolygon(view);
         for (int face = 0; face < known.length; face++) {
@@ -139,8 +139,8 @@ public final class PixelHistory {
                             depth(face),
                             Verdict.LEFT_OUT,
                             Optional.empty(),
-                            colour,
-                            colour));
+                            color,
+                            color));
         }
         rest.sort(Comparator.comparingDouble(PixelTouch::z));
         touches.addAll(rest);

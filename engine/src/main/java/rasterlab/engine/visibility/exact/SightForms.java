@@ -52,9 +52,9 @@ final class SightForms<S extends Scalar<S>> {
         PictureFit fit = view.fit();
         scale = number.apply(fit.pixelsPerUnit());
         firstX =
-                number.apply(PixelPoint.RIGHT_OF_CENTRE - fit.centreX())
+                number.apply(PixelPoint.RIGHT_OF_CENTER - fit.centerX())
                         .minus(scale.times(number.apply(fit.eyeX())));
-        firstY = number.apply(fit.centreY() - PixelPoint.BELOW_CENTRE);
+        firstY = number.apply(fit.centerY() - PixelPoint.BELOW_CENTER);
         along = central ? scale.times(number.apply(transform.distance())) : scale;
     }
 

@@ -120,8 +120,8 @@ final class HiddenSurfacesMutants {
     /** z of the point in which the line of sight through a pixel meets a face, else NaN. */
     private static double meets(ViewedMesh view, int face, int x, int y, boolean careless) {
         boolean central = view.transform().central();
-        double across = view.fit().toPlaneX(x + PixelPoint.RIGHT_OF_CENTRE);
-        double up = view.fit().toPlaneY(y + PixelPoint.BELOW_CENTRE);
+        double across = view.fit().toPlaneX(x + PixelPoint.RIGHT_OF_CENTER);
+        double up = view.fit().toPlaneY(y + PixelPoint.BELOW_CENTER);
         double rho = view.transform().distance();
         double nx = view.eyeNormal(face, 0);
         double ny = view.eyeNormal(face, 1);

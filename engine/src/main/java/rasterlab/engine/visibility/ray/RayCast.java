@@ -52,7 +52,7 @@ public final class RayCast implements Visibility {
         int[] seen = {};
         int from = 0;
         for (int x = 0; x < out.width(); x++) {
-            rays.through(x + PixelPoint.RIGHT_OF_CENTRE, row + PixelPoint.BELOW_CENTRE, ray);
+            rays.through(x + PixelPoint.RIGHT_OF_CENTER, row + PixelPoint.BELOW_CENTER, ray);
             hits.start(ray);
             boxes.cast(hits);
             if (hits.same(seen)) continue;

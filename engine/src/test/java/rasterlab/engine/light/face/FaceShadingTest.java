@@ -19,7 +19,7 @@ import rasterlab.engine.study.Deviation;
 
 class FaceShadingTest {
     private static final FaceTopic TOPIC = new FaceTopic();
-    private static final SurfaceMaterial SHINY = FaceSamples.grey(0.5, 0.4, 40);
+    private static final SurfaceMaterial SHINY = FaceSamples.gray(0.5, 0.4, 40);
 
     @Property(tries = 150)
     void phongIsTheFormulaAtEveryPoint(@ForAll long seed) {
@@ -28,7 +28,7 @@ class FaceShadingTest {
         double[] normals = random.doubles(9, -1, 1).toArray();
         for (int k = 2; k < 9; k += 3) normals[k] = 1.5;
         var material =
-                FaceSamples.grey(random.nextDouble(), random.nextDouble(), random.nextInt(200));
+                FaceSamples.gray(random.nextDouble(), random.nextDouble(), random.nextInt(200));
         double[] lamp = random.doubles(3, 2, 5).toArray();
         double[] eye = random.doubles(3, 2, 5).toArray();
         var points = FacePoints.grid(FaceSamples.face(corners, normals, lamp, eye, material), 4);
@@ -108,7 +108,7 @@ class FaceShadingTest {
             double[] normals = corners.clone();
             normals[7] = 0;
             double[] far = {0, 0, away};
-            faces.add(FaceSamples.face(corners, normals, far, far, FaceSamples.grey(0.8, 0, 0)));
+            faces.add(FaceSamples.face(corners, normals, far, far, FaceSamples.gray(0.8, 0, 0)));
         }
         return faces;
     }

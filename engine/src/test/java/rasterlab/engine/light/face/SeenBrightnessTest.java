@@ -10,7 +10,7 @@ import rasterlab.engine.raster.Raster;
 
 class SeenBrightnessTest {
     @Test
-    void lineReachesBothEndsAndMixesBetweenCentres() {
+    void lineReachesBothEndsAndMixesBetweenCenters() {
         var picture = new Raster(3, 2);
         picture.clear(0xFF000000);
         picture.argb()[1] = 0xFF0000FF;

@@ -56,7 +56,7 @@ public record SphereError(double worst, double mean, int points) {
     private static double error(LitFace face, double[] weights, double[] shades, int i) {
         double[] point =
                 FacePoint.mixed(face.corners(), weights[i], weights[i + 1], weights[i + 2]);
-        UnitVector.normalise(point);
+        UnitVector.normalize(point);
         LitPoint lit = FacePoint.of(face, point, point);
         if (dot(point, lit.toLight()) <= 0 || dot(point, lit.toEye()) <= 0) return Double.NaN;
         double right = new FormulaShader(Reflection.PHONG).intensity(lit)[1];

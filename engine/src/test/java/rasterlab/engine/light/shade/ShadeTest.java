@@ -169,10 +169,10 @@ class ShadeTest {
     }
 
     private static SurfaceMaterial material() {
-        return new SurfaceMaterial(grey(0.1), grey(0.5), grey(0.2), grey(0), 2);
+        return new SurfaceMaterial(gray(0.1), gray(0.5), gray(0.2), gray(0), 2);
     }
 
-    private static double[] grey(double share) {
+    private static double[] gray(double share) {
         return new double[] {share, share, share};
     }
 }

@@ -150,7 +150,7 @@ class DirectPictureTest {
 
     @ParameterizedTest(name = "{0}: glass under texels is opaque")
     @EnumSource(names = {"REPLACE", "DECAL"})
-    void glassUnderATextureThatHidesItsColourStaysGlass(Mode mode) {
+    void glassUnderATextureThatHidesItsColorStaysGlass(Mode mode) {
         Scene quad =
                 Scenes.named("textured-quad")
                         .with(finish -> glass(0xFFFFFF).with(laid(finish, mode)));

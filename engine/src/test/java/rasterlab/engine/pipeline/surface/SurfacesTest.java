@@ -108,7 +108,7 @@ class SurfacesTest {
 
     /** A triangle cut by a plane of the user keeps the colour of the vertex that is cut off. */
     @Test
-    void aClippedFlatTriangleKeepsItsColour() {
+    void aClippedFlatTriangleKeepsItsColor() {
         var view =
                 new TriangleView(
                         new Matrix4d(),

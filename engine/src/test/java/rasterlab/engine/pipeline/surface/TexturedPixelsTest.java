@@ -185,7 +185,7 @@ class TexturedPixelsTest {
 
     @ParameterizedTest(name = "{0}: texels alone are not those that replace colours")
     @EnumSource
-    void texelsAloneAreThoseThatReplaceColours(TexelFilter filter) {
+    void texelsAloneAreThoseThatReplaceColors(TexelFilter filter) {
         var sampler = new TextureSampler(WAVES, Wrap.REPEAT, Wrap.MIRRORED);
         var alone = new TexelPixels(sampler, filter);
         assertArrayEquals(draw(pixels(sampler, filter)), draw(alone));

@@ -51,9 +51,9 @@ class ScenesTest {
     @ParameterizedTest(name = "{0} has one colour: its light shines on nothing")
     @MethodSource("rasterlab.engine.scene.catalogue.Scenes#names")
     void isShaded(String name) {
-        Set<Integer> colours = new HashSet<>();
-        for (int argb : picture(Scenes.named(name)).argb()) colours.add(argb);
-        assertTrue(colours.size() > 3, name + " has only " + colours.size() + " colours");
+        Set<Integer> colors = new HashSet<>();
+        for (int argb : picture(Scenes.named(name)).argb()) colors.add(argb);
+        assertTrue(colors.size() > 3, name + " has only " + colors.size() + " colours");
     }
 
     private static Raster picture(Scene scene) {

@@ -43,7 +43,7 @@ class TextureFilterTest {
 
     /** Colours are mixed in 256ths, in up to three rounds that round by half a level each. */
     @Property(tries = 500)
-    void texelsOfAColourMixToIt(@ForAll long seed) {
+    void texelsOfAColorMixToIt(@ForAll long seed) {
         var random = new Random(seed);
         int width = 1 + random.nextInt(40);
         int height = 1 + random.nextInt(40);

@@ -141,10 +141,10 @@ final class RationalSurfaces {
     List<Integer> seen(int x, int y) {
         Rational s = Rational.of(view.fit().pixelsPerUnit());
         Rational across =
-                Rational.of(x + PixelPoint.RIGHT_OF_CENTRE - view.fit().centreX())
+                Rational.of(x + PixelPoint.RIGHT_OF_CENTER - view.fit().centerX())
                         .dividedBy(s)
                         .minus(Rational.of(view.fit().eyeX()));
-        Rational up = Rational.of(view.fit().centreY() - y - PixelPoint.BELOW_CENTRE).dividedBy(s);
+        Rational up = Rational.of(view.fit().centerY() - y - PixelPoint.BELOW_CENTER).dividedBy(s);
         boolean central = view.transform().central();
         Rational[] none = vector(0, 0, 0);
         Rational rho = Rational.of(view.transform().distance());

@@ -23,7 +23,7 @@ class PainterTest {
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
-    void showsAtTheSquare(String method, double[] band, double square, int column, int colour) {
+    void showsAtTheSquare(String method, double[] band, double square, int column, int color) {
         double[] xyz = {
             band[0],
             -40,
@@ -59,7 +59,7 @@ class PainterTest {
                 .named(method)
                 .implementation()
                 .draw(view, new FlatPaint(new int[] {BAND, SQUARE}, new int[0]), out, () -> false);
-        assertEquals(Integer.toHexString(colour), Integer.toHexString(out.argb(50 + column, 20)));
+        assertEquals(Integer.toHexString(color), Integer.toHexString(out.argb(50 + column, 20)));
     }
 
     /** The band's first three corners lie at band[1], band[1] and band[0]; x grows to the eye. */

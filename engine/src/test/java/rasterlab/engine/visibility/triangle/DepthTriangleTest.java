@@ -33,7 +33,7 @@ class DepthTriangleTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"rows", "weights", "slopes"})
-    void nearerPixelsAloneAreWrittenWithTheDepthsOfTheirCentres(String name) {
+    void nearerPixelsAloneAreWrittenWithTheDepthsOfTheirCenters(String name) {
         var input = new DepthTriangles(List.of(TALL), 10, 6, 0.625);
         DepthTriangles.Shown picture = TOPIC.run(method(name), input, Integer.MAX_VALUE);
         int[] shown = new int[60];

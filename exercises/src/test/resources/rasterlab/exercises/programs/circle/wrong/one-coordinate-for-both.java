@@ -3,8 +3,8 @@ import rasterlab.contract.Pixels;
 
 public class Backwards implements CircleRasterizer {
     @Override
-    public void draw(int centreX, int centreY, int radius, Pixels out) {
-        Octant octant = new Octant(centreX, centreY, radius, out);
+    public void draw(int centerX, int centerY, int radius, Pixels out) {
+        Octant octant = new Octant(centerX, centerY, radius, out);
         long u = (long) (radius / Math.sqrt(2)) + 1;
         for (; u >= 0; u--) octant.column(u);
     }

@@ -3,8 +3,8 @@ import rasterlab.contract.Pixels;
 
 public class Backwards implements CircleRasterizer {
     @Override
-    public void draw(int centreX, int centreY, int radius, Pixels out) {
-        Octant octant = new Octant(centreX, centreY, radius + 1, out);
+    public void draw(int centerX, int centerY, int radius, Pixels out) {
+        Octant octant = new Octant(centerX, centerY, radius + 1, out);
         long u = (long) (radius / Math.sqrt(2)) + 2;
         for (; u >= 0; u--) octant.column(u);
     }

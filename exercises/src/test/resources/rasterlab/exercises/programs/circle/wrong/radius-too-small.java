@@ -3,8 +3,8 @@ import rasterlab.contract.Pixels;
 
 public class Backwards implements CircleRasterizer {
     @Override
-    public void draw(int centreX, int centreY, int radius, Pixels out) {
-        Octant octant = new Octant(centreX, centreY, Math.max(0, radius - 1), out);
+    public void draw(int centerX, int centerY, int radius, Pixels out) {
+        Octant octant = new Octant(centerX, centerY, Math.max(0, radius - 1), out);
         long u = (long) (radius / Math.sqrt(2)) + 1;
         for (; u >= 0; u--) octant.column(u);
     }

@@ -28,13 +28,13 @@ public class Gouraud implements FaceShader {
         }
     }
 
-    record Colour(double red, double green, double blue) {
+    record Color(double red, double green, double blue) {
         DoubleStream shares() {
             return DoubleStream.of(red, green, blue);
         }
 
-        static Colour mixed(double a, Colour one, double b, Colour two, double c, Colour three) {
-            return new Colour(
+        static Color mixed(double a, Color one, double b, Color two, double c, Color three) {
+            return new Color(
                     a * one.red + b * two.red + c * three.red,
                     a * one.green + b * two.green + c * three.green,
                     a * one.blue + b * two.blue + c * three.blue);
@@ -43,14 +43,14 @@ public class Gouraud implements FaceShader {
 
     @Override
     public double[] shade(LitFace face, double[] weights) {
-        List<Colour> lit = IntStream.range(0, 3).mapToObj(k -> lit(face, k)).toList();
+        List<Color> lit = IntStream.range(0, 3).mapToObj(k -> lit(face, k)).toList();
         return IntStream.iterate(0, i -> i < weights.length, i -> i + 3)
-                .mapToObj(i -> Colour.mixed(weights[i], lit.get(0), weights[i + 1], lit.get(1), weights[i + 2], lit.get(2)))
-                .flatMapToDouble(Colour::shares)
+                .mapToObj(i -> Color.mixed(weights[i], lit.get(0), weights[i + 1], lit.get(1), weights[i + 2], lit.get(2)))
+                .flatMapToDouble(Color::shares)
                 .toArray();
     }
 
-    private static Colour lit(LitFace face, int vertex) {
+    private static Color lit(LitFace face, int vertex) {
         Vector p = Vector.of(face.corners(), 3 * vertex);
         Vector n = Vector.of(face.normals(), 3 * vertex).unit();
         Vector lamp = Vector.of(face.lamp(), 0).minus(p);
@@ -67,6 +67,6 @@ public class Gouraud implements FaceShader {
             c[i] += fades * power * face.light().specular()[i] * face.material().specular()[i];
             c[i] = Math.min(c[i] + face.material().emission()[i], 1);
         }
-        return new Colour(c[0], c[1], c[2]);
+        return new Color(c[0], c[1], c[2]);
     }
 }

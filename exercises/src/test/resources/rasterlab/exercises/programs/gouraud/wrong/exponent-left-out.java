@@ -5,17 +5,17 @@ public class Planes implements FaceShader {
     @Override
     public double[] shade(LitFace face, double[] weights) {
         double[] all = new double[weights.length];
-        for (int colour = 0; colour < 3; colour++) {
-            double first = light(face, 0, colour);
-            double second = light(face, 1, colour) - first;
-            double third = light(face, 2, colour) - first;
+        for (int color = 0; color < 3; color++) {
+            double first = light(face, 0, color);
+            double second = light(face, 1, color) - first;
+            double third = light(face, 2, color) - first;
             for (int i = 0; i < weights.length; i += 3)
-                all[i + colour] = first + weights[i + 1] * second + weights[i + 2] * third;
+                all[i + color] = first + weights[i + 1] * second + weights[i + 2] * third;
         }
         return all;
     }
 
-    private double light(LitFace face, int vertex, int colour) {
+    private double light(LitFace face, int vertex, int color) {
         double[] l = way(face.corners(), vertex, face.lamp());
         double[] v = way(face.corners(), vertex, face.eye());
         double nx = face.normals()[3 * vertex];
@@ -27,13 +27,13 @@ public class Planes implements FaceShader {
         double lv = (l[0] * v[0] + l[1] * v[1] + l[2] * v[2]) / (l[3] * v[3]);
         var material = face.material();
         var light = face.light();
-        double sent = light.ambient()[colour] * material.ambient()[colour];
+        double sent = light.ambient()[color] * material.ambient()[color];
         if (nl > 0) {
-            sent += light.diffuse()[colour] * material.diffuse()[colour] * nl;
+            sent += light.diffuse()[color] * material.diffuse()[color] * nl;
             double mirrored = Math.max(0, 2 * nl * nv - lv);
-            sent += light.specular()[colour] * material.specular()[colour] * mirrored;
+            sent += light.specular()[color] * material.specular()[color] * mirrored;
         }
-        double sum = material.emission()[colour] + face.globalAmbient()[colour] * material.ambient()[colour];
+        double sum = material.emission()[color] + face.globalAmbient()[color] * material.ambient()[color];
         return Math.min(1, sum + sent * light.attenuation().factor(l[3]));
     }
 

@@ -43,7 +43,7 @@ public class Phong implements FaceShader {
         for (int i = 0; i < 3; i++) normals[i] = normals[i].unit();
         return IntStream.range(0, weights.length / 3)
                 .mapToObj(k -> point(face, Vector.mixed(weights, 3 * k, corners), Vector.mixed(weights, 3 * k, normals)))
-                .flatMapToDouble(colour -> IntStream.range(0, 3).mapToDouble(colour))
+                .flatMapToDouble(color -> IntStream.range(0, 3).mapToDouble(color))
                 .toArray();
     }
 

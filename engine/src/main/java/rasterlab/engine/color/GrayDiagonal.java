@@ -15,7 +15,7 @@ import rasterlab.engine.transform.Angle;
  * "the RGB cube" (value and saturation; of the hue it says only that it tells the nearest pure
  * colour: the angle is ours).
  */
-final class GreyDiagonal {
+final class GrayDiagonal {
     /** How far beyond the cube's faces rounding may lead. */
     private static final double ROUNDING = 0x1p-40;
 
@@ -23,7 +23,7 @@ final class GreyDiagonal {
     private static final double SQRT_3 = Math.sqrt(3);
     private static final double SQRT_6 = Math.sqrt(6);
 
-    private GreyDiagonal() {}
+    private GrayDiagonal() {}
 
     static double[] fromRgb(double[] rgb) {
         double redGreen = rgb[0] - rgb[1];
@@ -46,15 +46,15 @@ final class GreyDiagonal {
      * @throws IllegalArgumentException if the colour is outside the cube
      */
     static double[] toRgb(double[] hvs) {
-        double grey = hvs[1] / SQRT_3;
-        if (hvs[2] == 0) return new double[] {inside(grey, 0), inside(grey, 1), inside(grey, 2)};
+        double gray = hvs[1] / SQRT_3;
+        if (hvs[2] == 0) return new double[] {inside(gray, 0), inside(gray, 1), inside(gray, 2)};
         Angle hue = Angle.ofDegrees(hvs[0]);
         double along = hvs[2] * hue.cos() / SQRT_6;
         double across = hvs[2] * hue.sin() / SQRT_2;
         return new double[] {
-            inside(grey + 2 * along, 0),
-            inside(grey - along + across, 1),
-            inside(grey - along - across, 2)
+            inside(gray + 2 * along, 0),
+            inside(gray - along + across, 1),
+            inside(gray - along - across, 2)
         };
     }
 
