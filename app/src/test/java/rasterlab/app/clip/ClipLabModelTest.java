@@ -277,7 +277,7 @@ class ClipLabModelTest {
     @Test
     void pointIsMovedWhereItIsSeen() {
         model.chooseMode(ClipMode.VOLUME);
-        for (VolumeSpace space : List.of(VolumeSpace.EYE, VolumeSpace.NORMALISED)) {
+        for (VolumeSpace space : List.of(VolumeSpace.EYE, VolumeSpace.NORMALIZED)) {
             model.volume(old -> old.withSpace(space).withView(new VolumeViewpoint(-30, 25)));
             model.move(ClipGrip.end(0, 1), 0.3, -0.4);
             ClipPoint seen = model.state().choice().volume().grips().get(ClipGrip.end(0, 1));

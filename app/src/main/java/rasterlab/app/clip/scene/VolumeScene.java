@@ -41,7 +41,7 @@ public record VolumeScene(
                 "cohen-sutherland-6",
                 "",
                 Screen.FIRST,
-                VolumeSpace.NORMALISED,
+                VolumeSpace.NORMALIZED,
                 VolumeViewpoint.FIRST);
     }
 

@@ -1,5 +1,6 @@
 package rasterlab.app.clip.scene;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
 import java.util.Locale;
 import rasterlab.engine.naming.Named;
@@ -9,7 +10,8 @@ public enum VolumeSpace {
     /** The volume as seen: a pyramid through the screen. */
     EYE,
     /** The volume after NORMALIZE: |x| ≤ z, |y| ≤ z, zmin ≤ z ≤ 1, where segments are clipped. */
-    NORMALISED,
+    @JsonProperty("NORMALISED")
+    NORMALIZED,
     /** The volume after CANONICAL and the division by H: a box. */
     CANONICAL;
 
