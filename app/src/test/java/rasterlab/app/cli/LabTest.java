@@ -77,12 +77,15 @@ class LabTest {
         return Stream.of(
                 argumentSet(
                         "letters of a command are swapped",
-                        "./lab: unknown command 'rneder'; did you mean 'render'?"
-                                + " (see `./lab --help`)",
+                        "./lab: no command 'rneder'; there are "
+                                + commandNames()
+                                + "; did you mean 'render'? (see `./lab --help`)",
                         new String[] {"rneder", "vase"}),
                 argumentSet(
                         "nothing is like the command",
-                        "./lab: unknown command 'paint' (see `./lab --help`)",
+                        "./lab: no command 'paint'; there are "
+                                + commandNames()
+                                + " (see `./lab --help`)",
                         new String[] {"paint"}),
                 argumentSet(
                         "option is mistyped",
@@ -99,7 +102,9 @@ class LabTest {
                         new String[] {"run", "line"}),
                 argumentSet(
                         "topic is unknown",
-                        "./lab methods: no topic 'cricle'; there are " + topics(),
+                        "./lab methods: no topic 'cricle'; there are "
+                                + topics()
+                                + "; did you mean 'circle'?",
                         new String[] {"methods", "cricle"}),
                 argumentSet(
                         "server is asked of the wrong program",
@@ -161,6 +166,11 @@ class LabTest {
         Path log = Path.of(line.substring(line.indexOf("details: ") + 9).strip());
         assertTrue(Files.readString(log).contains("\tat "), "log " + log);
         Files.delete(log);
+    }
+
+    private static String commandNames() {
+        var console = Console.of(System.in, System.out, System.err, ReportLanguage.EN);
+        return String.join(", ", Lab.commandLine(console).getSubcommands().keySet());
     }
 
     private static String topics() {

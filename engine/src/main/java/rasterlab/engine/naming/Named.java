@@ -1,8 +1,8 @@
 package rasterlab.engine.naming;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 
 /** Finds one of several things by its name. */
 public final class Named {
@@ -18,7 +18,23 @@ public final class Named {
     public static <T> T find(
             String kind, String name, List<? extends T> all, Function<? super T, String> nameOf) {
         for (T each : all) if (nameOf.apply(each).equals(name)) return each;
-        String known = all.stream().map(nameOf).collect(Collectors.joining(", "));
-        throw new IllegalArgumentException("no %s '%s'; there are %s".formatted(kind, name, known));
+        throw new IllegalArgumentException(unknown(kind, name, all.stream().map(nameOf).toList()));
+    }
+
+    /**
+     * Says that there is nothing of a name, what there is, and which of it may have been meant.
+     *
+     * @param kind what they are, in the singular
+     */
+    public static String unknown(String kind, String name, Collection<String> known) {
+        return "no %s '%s'; there are %s".formatted(kind, name, String.join(", ", known))
+                + suggestion(name, known);
+    }
+
+    /**
+     * The end of a complaint about a name: which one may have been meant; "" where none is near.
+     */
+    public static String suggestion(String name, Collection<String> known) {
+        return Closest.to(name, known).map(near -> "; did you mean '" + near + "'?").orElse("");
     }
 }

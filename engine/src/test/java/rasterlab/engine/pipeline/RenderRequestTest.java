@@ -59,7 +59,7 @@ class RenderRequestTest {
                         false,
                         "no visibility method 'z17'; there are "
                                 + String.join(", ", Renderer.visibilities())
-                                + ", raycast-surface"),
+                                + ", raycast-surface; did you mean 'z16'?"),
                 argumentSet(
                         "unknown shading is accepted",
                         z,
@@ -67,7 +67,8 @@ class RenderRequestTest {
                         central,
                         10,
                         false,
-                        "no shading 'Tone'; there are tone, wire, flat, gouraud, phong, auto"),
+                        "no shading 'Tone'; there are tone, wire, flat, gouraud, phong, auto; did you"
+                                + " mean 'tone'?"),
                 argumentSet(
                         "unknown projection is accepted",
                         z,

@@ -44,7 +44,9 @@ class HouseTest {
     void namesTheKnownScenes() {
         var refusal = assertThrows(IllegalArgumentException.class, () -> Scenes.named("vas"));
         assertEquals(
-                "no scene 'vas'; there are " + String.join(", ", Scenes.names()),
+                "no scene 'vas'; there are "
+                        + String.join(", ", Scenes.names())
+                        + "; did you mean 'vase'?",
                 refusal.getMessage());
     }
 }

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import rasterlab.engine.Topics;
+import rasterlab.engine.naming.Named;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.Phrase;
@@ -169,11 +170,7 @@ public final class Catalogue {
     private Entry entry(String id) {
         Entry entry = exercises.get(id);
         if (entry == null)
-            throw new IllegalArgumentException(
-                    "no exercise called '"
-                            + id
-                            + "'; there are "
-                            + String.join(", ", exercises.keySet()));
+            throw new IllegalArgumentException(Named.unknown("exercise", id, exercises.keySet()));
         return entry;
     }
 }

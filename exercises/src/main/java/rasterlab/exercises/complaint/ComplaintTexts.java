@@ -66,9 +66,9 @@ public final class ComplaintTexts {
             Set<Integer> computed,
             boolean pointed,
             int ownLength) {
-        /** A method's refusal may be any sentence, which is looked for behind this one. */
+        /** Whether any sentence, which is looked for behind this one, may stand in it. */
         boolean frame() {
-            return key.equals("run.refuses");
+            return key.equals("run.refuses") || key.equals("near");
         }
 
         static Sentence of(String topic, String key, String english) {

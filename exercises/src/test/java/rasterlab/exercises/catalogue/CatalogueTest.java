@@ -259,8 +259,7 @@ class CatalogueTest {
                 assertThrows(
                         IllegalArgumentException.class, () -> Catalogue.builtIn().named("square"));
         assertEquals(
-                "no exercise called 'square'; there are " + String.join(", ", builtIn()),
-                e.getMessage());
+                "no exercise 'square'; there are " + String.join(", ", builtIn()), e.getMessage());
         assertTrue(builtIn().contains("line-bresenham"));
     }
 

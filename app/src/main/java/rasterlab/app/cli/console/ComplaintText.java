@@ -7,6 +7,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.naming.Named;
 
 /**
  * Says in one language what is wrong with a command line or with the things that it names. Numbers
@@ -31,12 +32,9 @@ public record ComplaintText(ReportLanguage language) {
                 option
                         ? command.getCommandSpec().optionsMap().keySet()
                         : command.getSubcommands().keySet();
-        return "unknown "
-                + (option ? "option" : subcommand ? "command" : "argument")
-                + " '"
-                + wrong
-                + "'"
-                + Closest.to(wrong, known).map(near -> "; did you mean '" + near + "'?").orElse("");
+        if (subcommand) return Named.unknown("command", wrong, known);
+        return "unknown %s '%s'".formatted(option ? "option" : "argument", wrong)
+                + Named.suggestion(wrong, known);
     }
 
     private static String lowerFirst(String sentence) {

@@ -17,6 +17,7 @@ import rasterlab.app.cli.console.Console;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.naming.Named;
 import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.folder.CopiedFolder;
 import rasterlab.exercises.folder.NewFolder;
@@ -29,7 +30,7 @@ import rasterlab.exercises.topic.TopicGradings;
         description = {
             "Makes the folder of a new exercise to begin with.",
             "It is valid: cases of the topic's hazards, texts in both languages, starter and model.",
-            "Of the kinds break and predict it is a copy of the course's own exercise on the topic.",
+            "For the kinds break and predict it is a copy of the course's own exercise on the topic.",
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -67,8 +68,7 @@ final class ExercisesNewCommand implements Callable<Integer> {
         List<String> topics =
                 form == Form.WRITE ? TopicGradings.names() : CopiedFolder.topics(form);
         if (!topics.contains(topic))
-            throw Complaint.badInput(
-                    "no exercise of topic '" + topic + "'; there are " + String.join(", ", topics));
+            throw Complaint.badInput(Named.unknown("exercise of topic", topic, topics));
         Path made = folder.toAbsolutePath().normalize();
         String id = made.getFileName() == null ? "" : made.getFileName().toString();
         if (!id.matches("[a-z0-9]+(-[a-z0-9]+)*"))
@@ -92,9 +92,7 @@ final class ExercisesNewCommand implements Callable<Integer> {
     private Form form() {
         List<String> kinds =
                 Stream.of(Form.values()).map(each -> each.name().toLowerCase(Locale.ROOT)).toList();
-        if (!kinds.contains(kind))
-            throw Complaint.badInput(
-                    "no kind '" + kind + "'; there are " + String.join(", ", kinds));
+        if (!kinds.contains(kind)) throw Complaint.badInput(Named.unknown("kind", kind, kinds));
         return Form.valueOf(kind.toUpperCase(Locale.ROOT));
     }
 

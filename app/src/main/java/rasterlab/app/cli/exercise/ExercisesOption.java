@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import picocli.CommandLine.Option;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.naming.Named;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -14,7 +15,7 @@ public final class ExercisesOption {
             names = "--exercises",
             paramLabel = "FOLDER",
             description =
-                    "of exercises of your own, each in a sub-folder; one named as a built-in one"
+                    "folder of your own exercises, each in a sub-folder; one named as a built-in one"
                             + " takes its place")
     private Path folder;
 
@@ -53,11 +54,7 @@ public final class ExercisesOption {
      */
     static Exercise named(String id, Catalogue catalogue) {
         if (!catalogue.ids().contains(id))
-            throw Complaint.badInput(
-                    "no exercise called '"
-                            + id
-                            + "'; there are "
-                            + String.join(", ", catalogue.ids()));
+            throw Complaint.badInput(Named.unknown("exercise", id, catalogue.ids()));
         return catalogue.named(id);
     }
 }

@@ -22,6 +22,7 @@ import rasterlab.app.study.CountedStudy;
 import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.StudyProgress;
 import rasterlab.app.study.front.StudyPlot;
+import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Progress;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyRunner;
@@ -215,12 +216,7 @@ public final class StudyCommand implements Callable<Integer> {
                 .filter(one -> one.code().equals(chart))
                 .findFirst()
                 .orElseThrow(
-                        () ->
-                                Complaint.badInput(
-                                        "no chart '"
-                                                + chart
-                                                + "'; there are "
-                                                + String.join(", ", StudyPlot.codes())));
+                        () -> Complaint.badInput(Named.unknown("chart", chart, StudyPlot.codes())));
     }
 
     private boolean isCounted(Topic<?, ?, ?> chosen) {

@@ -150,7 +150,7 @@ class CheckCommandTest {
     @Test
     void unknownExerciseListsTheKnownOnes() {
         Ran ran = Ran.lab("check", "line-wu", "a.java");
-        assertTrue(ran.err().contains("no exercise called 'line-wu'; there are "), ran.err());
+        assertTrue(ran.err().contains("no exercise 'line-wu'; there are "), ran.err());
         assertEquals(2, ran.exitCode());
     }
 }

@@ -177,7 +177,7 @@ class ExercisesCommandTest {
         "new circle DIR/My_Circle, lower-case words",
         "new circle DIR, ",
         "validate DIR/none, no such folder",
-        "prove square, no exercise called 'square'",
+        "prove square, no exercise 'square'",
         "list --exercises DIR/none, no such folder",
         "prove --seed x, 'x'",
     })

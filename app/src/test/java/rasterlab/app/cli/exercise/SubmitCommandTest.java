@@ -286,6 +286,6 @@ class SubmitCommandTest {
                         "--exercises",
                         folder.toString());
         assertEquals(2, ran.exitCode());
-        assertTrue(ran.err().contains("no exercise called 'nix'; there are"), ran.err());
+        assertTrue(ran.err().contains("no exercise 'nix'; there are"), ran.err());
     }
 }

@@ -248,7 +248,8 @@ class RenderCommandTest {
                 .assertComplains(
                         2,
                         "./lab render: no scene 'vas'; there are "
-                                + String.join(", ", Scenes.names()));
+                                + String.join(", ", Scenes.names())
+                                + "; did you mean 'vase'?");
         Ran.lab("render", "vase")
                 .assertComplains(
                         2,

@@ -106,7 +106,11 @@ class RunHazardTest {
                         .map(Hazard::name)
                         .collect(Collectors.joining(", "));
         Ran.lab("run", "line", "bresenham", "--hazard", "stepp")
-                .assertComplains(2, "./lab run: no line hazard 'stepp'; there are " + known);
+                .assertComplains(
+                        2,
+                        "./lab run: no line hazard 'stepp'; there are "
+                                + known
+                                + "; did you mean 'steep'?");
     }
 
     @ParameterizedTest(name = "--hazard is passed over where there is {0}")

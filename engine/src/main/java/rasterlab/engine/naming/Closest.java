@@ -1,20 +1,28 @@
-package rasterlab.app.cli.console;
+package rasterlab.engine.naming;
 
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Optional;
 
 /** Finds what a mistyped word was meant to be. */
-final class Closest {
+public final class Closest {
     private static final int MOST_MISTAKES = 2;
 
     private Closest() {}
 
-    /** The candidate that at most two typing mistakes turn into the word, if there is one. */
-    static Optional<String> to(String word, Collection<String> candidates) {
+    /**
+     * The candidate that at most two typing mistakes turn into the word, if there is one; more than
+     * half of the word's letters must be right.
+     */
+    public static Optional<String> to(String word, Collection<String> candidates) {
         return candidates.stream()
-                .filter(candidate -> mistakes(word, candidate) <= MOST_MISTAKES)
+                .filter(candidate -> isNear(word, candidate))
                 .min(Comparator.comparingInt(candidate -> mistakes(word, candidate)));
+    }
+
+    private static boolean isNear(String word, String candidate) {
+        int mistakes = mistakes(word, candidate);
+        return mistakes <= MOST_MISTAKES && 2 * mistakes < word.length();
     }
 
     /**
