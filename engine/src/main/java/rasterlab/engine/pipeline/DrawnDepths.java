@@ -14,6 +14,12 @@ public record DrawnDepths(double near, double far) {
     private static final double LEAST_SHARE = 1e-6;
 
     public DrawnDepths {
+        if (Double.isNaN(near))
+            throw new IllegalArgumentException(
+                    "near must be a number below far, %s, got %s".formatted(far, near));
+        if (Double.isNaN(far))
+            throw new IllegalArgumentException(
+                    "far must be a number above near, %s, got %s".formatted(near, far));
         if (!(near < far))
             throw new IllegalArgumentException(
                     "near must be below far, got near %s, far %s".formatted(near, far));

@@ -129,7 +129,11 @@ class RenderRequestTest {
                 look(
                         "near that is no number is accepted",
                         r -> depths(r, Projection.PARALLEL, Double.NaN, 3),
-                        "near must be below far, got near NaN, far 3.0"),
+                        "near must be a number below far, 3.0, got NaN"),
+                look(
+                        "far that is no number is accepted",
+                        r -> depths(r, Projection.PARALLEL, 3, Double.NaN),
+                        "far must be a number above near, 3.0, got NaN"),
                 look(
                         "two eyes see a parallel picture",
                         r ->
