@@ -13,6 +13,8 @@ if "%~1"=="--lang" for %%W in (bench grader) do if "%~3"=="%%W" (
     set "command=%%W"
     set "language=--lang %~2"
 )
+rem The help of the server's commands is a command of the server.
+if "%~1 %~2"=="help grader" set "command=grader"
 set "parts=app,grader"
 rem The benchmarks are built only for who measures.
 if "%command%"=="bench" (
@@ -89,6 +91,7 @@ if "%command%"=="grader" (
     set "main=rasterlab.grader.MainKt"
 )
 if not "%module%"=="app" for /f "tokens=1,* delims= " %%A in ("%*") do set "arguments=%%B"
+if "%~1 %~2"=="help grader" for /f "tokens=2,* delims= " %%A in ("%*") do set "arguments=help %%B"
 if defined language for /f "tokens=1-3,* delims== " %%A in ("%*") do set "arguments=%language% %%D"
 set "native="
 if %major% GEQ 24 set "native=--enable-native-access=ALL-UNNAMED"

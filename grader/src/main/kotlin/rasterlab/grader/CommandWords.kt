@@ -5,6 +5,7 @@ import picocli.CommandLine.MissingParameterException
 import picocli.CommandLine.OverwrittenOptionException
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.UnmatchedArgumentException
+import rasterlab.engine.naming.Closest
 import rasterlab.grader.wording.Wording
 import java.util.Locale
 
@@ -20,9 +21,8 @@ internal class CommandWords private constructor(
         vararg values: String,
     ): String = wording.say(key, *values)
 
-    /** Help in this language; English stands with the commands. */
-    fun wear(command: CommandLine): CommandLine =
-        (if (language == Locale.ENGLISH) command else command.setResourceBundle(wording.bundle)).also { tellExits(it) }
+    /** Help in this language; English stands with the commands, but for the options that picocli adds. */
+    fun wear(command: CommandLine): CommandLine = command.setResourceBundle(wording.bundle).also { tellExits(it) }
 
     /** Lists the exit codes in the help of the command and of those below it. */
     private fun tellExits(command: CommandLine) {
@@ -40,7 +40,7 @@ internal class CommandWords private constructor(
     fun of(failure: ParameterException): String =
         when {
             failure is UnmatchedArgumentException && !failure.isUnknownOption && failure.hasCommands() -> {
-                unknownCommand(failure, failure.unmatched.first())
+                unknownCommand(failure.commandLine, failure.unmatched.first())
             }
 
             language == Locale.ENGLISH -> {
@@ -63,10 +63,6 @@ internal class CommandWords private constructor(
                 say("invalid", name(failure.argSpec), failure.value.orEmpty())
             }
 
-            failure.value != null -> {
-                unknownCommand(failure, failure.value)
-            }
-
             else -> {
                 failure.message.orEmpty()
             }
@@ -74,12 +70,14 @@ internal class CommandWords private constructor(
 
     private fun ParameterException.hasCommands() = commandLine.subcommands.isNotEmpty()
 
-    private fun unknownCommand(
-        failure: ParameterException,
+    /** Says that [command] has none of that name, those it has, and which may have been meant. */
+    fun unknownCommand(
+        command: CommandLine,
         name: String,
     ): String {
-        val known = generateSequence(failure.commandLine) { it.parent }.last().subcommands
-        return say("unknown.command", name, known.keys.joinToString())
+        val known = command.subcommands.keys
+        val complaint = say("unknown.command", name, known.joinToString())
+        return Closest.to(name, known).map { say("near", complaint, it) }.orElse(complaint)
     }
 
     private fun name(argument: CommandLine.Model.ArgSpec): String =

@@ -2,7 +2,6 @@ package rasterlab.grader
 
 import picocli.CommandLine
 import picocli.CommandLine.Command
-import picocli.CommandLine.HelpCommand
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.ScopeType
@@ -123,15 +122,17 @@ private fun programOf(words: CommandWords): CommandLine =
                 .addSubcommand(CourseRulesCommand())
                 .addSubcommand(CourseExtendCommand())
                 .addSubcommand(CourseCloneCommand())
-                .addSubcommand(CourseGradesCommand()),
+                .addSubcommand(CourseGradesCommand())
+                .addSubcommand(ServerHelpCommand(words)),
         ).addSubcommand(
             CommandLine(StaffCommand(words))
                 .addSubcommand(StaffListCommand())
                 .addSubcommand(StaffAddCommand())
                 .addSubcommand(StaffTokenCommand())
-                .addSubcommand(StaffRevokeCommand()),
+                .addSubcommand(StaffRevokeCommand())
+                .addSubcommand(ServerHelpCommand(words)),
         ).addSubcommand(regradeCommands(words))
-        .addSubcommand(HelpCommand())
+        .addSubcommand(ServerHelpCommand(words))
 
 /** An empty name would stand for the folder that the server is started in. */
 private fun named(path: String): Path =

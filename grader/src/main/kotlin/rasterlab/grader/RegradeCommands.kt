@@ -30,6 +30,7 @@ internal fun regradeCommands(words: CommandWords): CommandLine =
         .addSubcommand(RegradeAcceptCommand(words))
         .addSubcommand(RegradeDiscardCommand(words))
         .addSubcommand(RegradeUndoCommand(words))
+        .addSubcommand(ServerHelpCommand(words))
 
 @Command(
     name = "regrade",

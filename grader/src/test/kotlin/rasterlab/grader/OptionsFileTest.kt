@@ -58,12 +58,12 @@ class OptionsFileTest {
             listOf(
                 argumentSet(
                     "an unknown key is passed over",
-                    "line 2: unknown setting 'prot'; there are $KNOWN",
+                    "line 2: no setting 'prot'; there are $KNOWN",
                     "port: 0\nprot: 8080\n",
                 ),
                 argumentSet(
                     "the heap is set too late",
-                    "line 1: unknown setting 'heap'; there are $KNOWN",
+                    "line 1: no setting 'heap'; there are $KNOWN",
                     "heap: 512",
                 ),
                 argumentSet(

@@ -14,6 +14,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.Failures;
+import rasterlab.app.cli.console.HelpCommand;
 import rasterlab.app.cli.console.OptionNumbers;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.cli.exercise.CheckCommand;
@@ -31,8 +32,6 @@ import rasterlab.app.language.Language;
 
 /** The command line of Rasterlab. */
 public final class Lab {
-    private static final String HELP = "help";
-
     private static final String OPEN = "open";
 
     /** The names of all commands, in the order of the help. */
@@ -54,7 +53,7 @@ public final class Lab {
                     "grader",
                     "bench",
                     "completion",
-                    HELP);
+                    HelpCommand.NAME);
 
     private Lab() {}
 
@@ -123,7 +122,8 @@ public final class Lab {
     private static List<String> wanted(String... args) {
         boolean value = false;
         for (String word : args) {
-            if (COMMANDS.contains(word) && !value && !word.equals(HELP)) return List.of(word);
+            if (COMMANDS.contains(word) && !value && !word.equals(HelpCommand.NAME))
+                return List.of(word);
             if (!word.startsWith("-") && !value) return COMMANDS;
             value = word.equals(LabCommand.LANGUAGE);
         }
@@ -149,7 +149,7 @@ public final class Lab {
             case "grader" -> new GraderCommand(console);
             case "bench" -> new BenchCommand();
             case "completion" -> new CompletionCommand(console);
-            case HELP -> new CommandLine.HelpCommand();
+            case HelpCommand.NAME -> new HelpCommand(console);
             default -> throw new AssertionError(name + " is no command");
         };
     }
@@ -162,10 +162,10 @@ public final class Lab {
 
     static CommandLine configured(CommandLine lab, Console console) {
         var failures = new Failures(console.err(), console.language());
-        console.language().help().ifPresent(lab::setResourceBundle);
         ITypeConverter<Double> number = OptionNumbers::number;
         ITypeConverter<Integer> whole = OptionNumbers::whole;
-        return lab.setOut(new PrintWriter(console.out(), true))
+        return lab.setResourceBundle(console.language().help())
+                .setOut(new PrintWriter(console.out(), true))
                 .setErr(new PrintWriter(console.err(), true))
                 .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))
                 .setUsageHelpWidth(100)

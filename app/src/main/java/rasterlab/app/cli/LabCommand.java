@@ -24,7 +24,8 @@ import rasterlab.app.outcome.ExitCode;
             "1:done, and something was found wrong (hazards, check, submit, prove, study, tour)",
             "2:the command line or the input is wrong; one line says where",
             "3:the method refuses this input",
-            "4:the method crashed, did not end, or its answer is over a limit",
+            "4:no answer: the method crashed, did not end, or its answer is over a limit; for submit: the"
+                    + " server cannot be reached, or takes no more just now",
             "70:a fault of Rasterlab; the message names a log file"
         },
         footer = {

@@ -12,7 +12,10 @@ public final class ExitCode {
     /** The method said that it cannot take this input. */
     public static final int REFUSED = 3;
 
-    /** The method crashed, did not end, or its answer is over a limit. */
+    /**
+     * There is no answer: the method crashed, did not end, or its answer is over a limit; or no
+     * server takes what is handed in.
+     */
     public static final int GAVE_UP = 4;
 
     /** A fault of ours; details are in the log that the message names. */

@@ -76,7 +76,8 @@ class RussianHelpTest {
     static Stream<List<String>> workingCommands() {
         var console = Console.of(System.in, System.out, System.err, ReportLanguage.EN);
         return withinAll(Lab.commandLine(console), List.of())
-                .filter(names -> !Set.of("help", "bench", "grader").contains(names.get(0)));
+                .filter(names -> !Set.of("bench", "grader").contains(names.get(0)))
+                .filter(names -> !names.contains("help"));
     }
 
     private static Stream<List<String>> withinAll(CommandLine line, List<String> names) {
@@ -105,6 +106,38 @@ class RussianHelpTest {
                             assertTrue(at >= 0, language + " help lacks exit codes:\n" + help);
                             assertTrue(help.indexOf("\n  2  ", at) > 0, "no code 2:\n" + help);
                         });
+    }
+
+    static Stream<List<String>> nestedCommands() {
+        return workingCommands().filter(names -> names.size() > 1);
+    }
+
+    @ParameterizedTest(name = "help of {0} is the help of the command above it")
+    @MethodSource("nestedCommands")
+    void helpReachesTheCommandsBelow(List<String> names) {
+        for (String language : List.of("en", "ru")) {
+            String help = Ran.lab(with(names, names.size(), "--help", language)).out();
+            for (int at = 0; at < names.size(); at++)
+                assertEquals(help, Ran.lab(with(names, at, "help", language)).out());
+        }
+    }
+
+    /** The names with a word put in at a place, and the language behind them. */
+    private static String[] with(List<String> names, int at, String word, String language) {
+        var words = new ArrayList<>(names);
+        words.add(at, word);
+        words.addAll(List.of("--lang", language));
+        return words.toArray(String[]::new);
+    }
+
+    @Test
+    @DisplayName("help of a command that is not there is that of the one above it")
+    void helpOfNothingIsRefused() {
+        Ran.lab("exercises", "help", "nww")
+                .assertComplains(
+                        2,
+                        "./lab exercises: no command 'nww'; there are list, prove, validate, new,"
+                                + " help; did you mean 'new'? (see `./lab exercises --help`)");
     }
 
     private static void assertRussian(Ran ran) {

@@ -1,7 +1,7 @@
 package rasterlab.app.cli.console;
 
+import java.util.ListResourceBundle;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.ResourceBundle;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -44,12 +44,25 @@ public enum ReportLanguage {
         return this == EN ? Language.ENGLISH : Language.RUSSIAN;
     }
 
-    /** The words of help, for picocli; empty where they stand with the commands. */
-    public Optional<ResourceBundle> help() {
-        return this == EN ? Optional.empty() : Optional.of(Texts.bundle("cli", "help", inWindow()));
+    /**
+     * The words of help, for picocli; in English they stand with the commands, but for those of the
+     * options that it adds itself.
+     */
+    public ResourceBundle help() {
+        return this == EN ? new AddedOptions() : Texts.bundle("cli", "help", inWindow());
     }
 
     public Texts texts() {
         return Texts.of("cli", "report", inWindow());
+    }
+
+    private static final class AddedOptions extends ListResourceBundle {
+        @Override
+        protected Object[][] getContents() {
+            return new Object[][] {
+                {"help", "Shows this help and exits."},
+                {"version", "Prints the version and exits."}
+            };
+        }
     }
 }

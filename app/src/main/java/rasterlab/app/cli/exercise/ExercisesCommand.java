@@ -7,6 +7,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import rasterlab.app.cli.console.Console;
+import rasterlab.app.cli.console.HelpCommand;
 
 /** The catalogue of exercises: seen, proved, checked and begun. */
 @Command(
@@ -27,7 +28,8 @@ public final class ExercisesCommand implements Callable<Integer> {
                 .addSubcommand(new ExercisesListCommand(console))
                 .addSubcommand(new ExercisesProveCommand(console))
                 .addSubcommand(new ExercisesValidateCommand(console))
-                .addSubcommand(new ExercisesNewCommand(console));
+                .addSubcommand(new ExercisesNewCommand(console))
+                .addSubcommand(new HelpCommand(console));
     }
 
     @Override
