@@ -282,7 +282,7 @@ final class VisibilityInspector {
         edges.setEnabled(model.canDrawEdges());
         difference.setSelected(choice.difference());
         wrong.show(readings, choice);
-        refreshSteps(choice.drawing() && !state.lent(), readings);
+        refreshSteps(choice.drawing() && !state.lent() && !model.lacksSteps(), readings);
         refreshPixel(state, readings);
         List<String> texts = readings.view();
         for (int i = 0; i < texts.size(); i++) values.get(i).setText(texts.get(i));

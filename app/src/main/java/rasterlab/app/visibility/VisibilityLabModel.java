@@ -27,6 +27,7 @@ import rasterlab.engine.plan.Plan;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.visibility.SteppedVisibility;
 import rasterlab.engine.visibility.Visibility;
 
 /**
@@ -83,6 +84,13 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     public List<Method<Visibility>> methods() {
         return stage.methods();
+    }
+
+    /** Whether the chosen method draws a picture only as a whole: nobody can step through it. */
+    boolean lacksSteps() {
+        return methods().stream()
+                .filter(method -> method.name().equals(state.choice().visibility()))
+                .anyMatch(method -> !(method.implementation() instanceof SteppedVisibility));
     }
 
     /** Zoom by which the pictures are drawn: the chosen one, but that two pictures are filled. */

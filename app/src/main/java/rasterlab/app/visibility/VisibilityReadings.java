@@ -33,7 +33,7 @@ final class VisibilityReadings {
         return List.of(
                 angle(choice.camera().thetaRadians()),
                 angle(choice.camera().phiRadians()),
-                number(choice.camera().rho(), 1),
+                Shown.number(choice.camera().rho(), 1, texts.locale()),
                 "× " + number(model.shownZoom(), 2),
                 frameTime(),
                 size());
@@ -143,7 +143,8 @@ final class VisibilityReadings {
     }
 
     private String noSteps() {
-        return texts.text(state.lent() ? "stepNow.lent" : "stepNow.none");
+        if (model.lacksSteps()) return texts.text("stepNow.none");
+        return texts.text(state.lent() ? "stepNow.lent" : "stepNow.unknown");
     }
 
     /**
@@ -157,6 +158,7 @@ final class VisibilityReadings {
     /** The words behind the timeline. */
     String timeline() {
         if (!state.choice().drawing()) return texts.text("turntable", thetaOfPi());
+        if (model.lacksSteps()) return texts.text("timeline.none");
         int last = state.drawn().map(drawn -> drawn.steps().size()).orElse(0);
         return count(Math.min(state.step(), last)) + " / " + count(last);
     }
