@@ -11,12 +11,15 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 
-/** A method in a teacher's words: formula, invariant, cost, failures, source. */
+/** A method in a teacher's words: formula, letters, invariant, cost, failures, source. */
 public final class AboutText extends JEditorPane {
     private static final long serialVersionUID = 1L;
 
     /** The parts that are about the present input. */
     private static final Set<String> ANSWERS = Set.of("refusal", "outcome");
+
+    /** The key of what the letters in a topic's formulas stand for. */
+    private static final String LETTERS = "letters";
 
     private final transient Texts labels;
     private String shown = "";
@@ -97,6 +100,7 @@ public final class AboutText extends JEditorPane {
         }
         parts.put("formula", texts.text(key + ".formula"));
         parts.put("decision", decision);
+        parts.put(LETTERS, texts.has(LETTERS) ? texts.text(LETTERS) : "");
         for (String part : List.of("invariant", "cost", "failures", "source"))
             parts.put(part, texts.text(key + "." + part));
         return parts;
