@@ -7,10 +7,11 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import rasterlab.tests.Repository;
 
-/** The README, the page on exercises beside it, each in two languages, and CONTRIBUTING.md. */
+/** The README, the pages on exercises and on models, each in two languages, and CONTRIBUTING.md. */
 final class Readme {
     /** The pages that users read, in English; each has a Russian one beside it. */
-    static final List<String> PAGES = List.of("README.md", "exercises/README.md");
+    static final List<String> PAGES =
+            List.of("README.md", "exercises/README.md", "engine/models.md");
 
     private static final Pattern BLOCK = Pattern.compile("(?m)^```sh\\R(.*?)^```", Pattern.DOTALL);
     private static final Pattern ANY_BLOCK =

@@ -108,7 +108,9 @@ class GlossaryTest {
                         "README.md",
                         "README.ru.md",
                         "exercises/README.md",
-                        "exercises/README.ru.md")) texts.add(Repository.root().resolve(name));
+                        "exercises/README.ru.md",
+                        "engine/models.md",
+                        "engine/models.ru.md")) texts.add(Repository.root().resolve(name));
         for (String module : Repository.MODULES) {
             Path resources = Repository.root().resolve(module).resolve("src/main/resources");
             if (!Files.exists(resources)) continue;

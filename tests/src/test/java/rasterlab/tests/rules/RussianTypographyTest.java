@@ -73,7 +73,7 @@ class RussianTypographyTest {
 
     private static List<Path> russian() throws IOException {
         var files = new ArrayList<Path>();
-        for (String page : List.of("README.ru.md", "exercises/README.ru.md"))
+        for (String page : List.of("README.ru.md", "exercises/README.ru.md", "engine/models.ru.md"))
             files.add(Repository.root().resolve(page));
         for (String module : Repository.MODULES) {
             Path resources = Repository.root().resolve(module).resolve("src/main/resources");

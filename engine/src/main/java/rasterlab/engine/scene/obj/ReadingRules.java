@@ -13,7 +13,7 @@ import java.util.TreeMap;
 
 /**
  * The rules that models and materials are read by: the readers take ranges, values that stand for
- * missing ones and what is passed over from these tables, and README shows them as one.
+ * missing ones and what is passed over from these tables, and engine/models.md shows them as one.
  *
  * <p>Three things stop a model: coordinates of a vertex that cannot be read, a corner of a face at
  * a vertex that is not there, and a file with no face that has an area, no line and no point. All

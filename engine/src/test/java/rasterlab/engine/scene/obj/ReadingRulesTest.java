@@ -14,15 +14,15 @@ import org.junit.jupiter.api.Test;
 
 class ReadingRulesTest {
     /** Tests run in the folder of their module. */
-    private static final Path README = Path.of("..", "README.md");
+    private static final Path PAGE = Path.of("models.md");
 
     @Test
-    @DisplayName("README says other rules of models than the reader keeps")
-    void readmeHasTheReadersTable() throws IOException {
+    @DisplayName("the page on models says other rules of models than the reader keeps")
+    void pageHasTheReadersTable() throws IOException {
         String table = table();
         assertTrue(
-                Files.readString(README).contains(table),
-                () -> README.normalize() + ": replace the table of keywords by\n" + table);
+                Files.readString(PAGE).contains(table),
+                () -> "engine/" + PAGE + ": replace the table of keywords by\n" + table);
     }
 
     private static String table() {
