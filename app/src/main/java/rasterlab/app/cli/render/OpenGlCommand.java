@@ -77,7 +77,7 @@ public final class OpenGlCommand implements Callable<Integer> {
             names = "--distance",
             paramLabel = "D",
             description =
-                    "of the eye, "
+                    "distance of the eye, "
                             + GlChoice.NEAREST
                             + " to "
                             + GlChoice.FARTHEST

@@ -46,7 +46,7 @@ final class SceneArgument {
     @Option(
             names = "--up",
             paramLabel = "AXIS",
-            description = "of a model, FILE.obj: the axis that points up, y or z; default: y",
+            description = "for a model, FILE.obj: the axis that points up, y or z; default: y",
             completionCandidates = EngineNames.OfUpAxes.class)
     private String up;
 

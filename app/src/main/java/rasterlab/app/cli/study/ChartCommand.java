@@ -59,7 +59,7 @@ public final class ChartCommand implements Callable<Integer> {
             arity = "0..*",
             paramLabel = "TOPIC/METHOD",
             description = {
-                "of sign-map: a topic or predicate, all its methods or one;",
+                "for sign-map: a topic or predicate, all its methods or one;",
                 "default: orientation, in all its forms"
             })
     private List<String> predicates = List.of();

@@ -63,26 +63,26 @@ public final class HazardsCommand implements Callable<Integer> {
     @Option(
             names = "--seconds",
             paramLabel = "N",
-            description = "of --search: the longest it may take; default: ${DEFAULT-VALUE}")
+            description = "with --search: the longest it may take; default: ${DEFAULT-VALUE}")
     private int seconds = 60;
 
     @Option(
             names = "--seed",
             paramLabel = "S",
             description =
-                    "of --search: the same numbers are drawn again; default: ${DEFAULT-VALUE}")
+                    "with --search: the same numbers are drawn again; default: ${DEFAULT-VALUE}")
     private int seed = 1;
 
     @Option(
             names = "--out",
             paramLabel = "FILE",
             description =
-                    "of --search: a scene file that ./lab run --scene, ./lab open and the lab read")
+                    "with --search: a scene file that ./lab run --scene, ./lab open and the lab read")
     private Path out;
 
     @Option(
             names = "--keep",
-            description = "of --search: keeps it for the lab, where it is a chip of its topic")
+            description = "with --search: keeps it for the lab, where it is a chip of its topic")
     private boolean keep;
 
     public HazardsCommand(Console console) {
