@@ -24,7 +24,7 @@ public record Attenuation(double constant, double linear, double quadratic) {
                             .formatted(name, value));
     }
 
-    /** The same light everywhere. */
+    /** No attenuation: as much light everywhere. */
     public static Attenuation none() {
         return new Attenuation(1, 0, 0);
     }

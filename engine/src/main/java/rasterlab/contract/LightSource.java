@@ -31,12 +31,12 @@ public record LightSource(
         return new LightSource(new double[3], white, white, Attenuation.none(), SpotCone.none());
     }
 
-    /** The same light with another attenuation. */
+    /** This light with another attenuation. */
     public LightSource attenuated(Attenuation other) {
         return new LightSource(ambient, diffuse, specular, other, cone);
     }
 
-    /** The same light through a cone. */
+    /** This light through a cone. */
     public LightSource through(SpotCone other) {
         return new LightSource(ambient, diffuse, specular, attenuation, other);
     }

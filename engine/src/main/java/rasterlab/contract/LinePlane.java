@@ -18,7 +18,7 @@ public interface LinePlane {
     double meets(double[] normal, double c, double[] from, double[] through);
 
     /**
-     * The same where a point of the plane is known: n·(p − a) = 0.
+     * The meeting where a point of the plane is known: n·(p − a) = 0.
      *
      * <p>A method that is content with c is given n·a as doubles round it. One that must not lose
      * what is rounded off there overrides this.

@@ -145,7 +145,7 @@ public interface TopicGrading {
         /** The whole finding, with pictures. */
         Finding judge(Answer answer);
 
-        /** The same at less cost: verdict and causes alone count. */
+        /** Checks an answer at less cost: verdict and causes alone count. */
         Finding check(Answer answer);
 
         /**
@@ -225,8 +225,8 @@ public interface TopicGrading {
         }
 
         /**
-         * The same asked for on smaller inputs, of which one that goes wrong too may be told in
-         * this one's place; none where only this input is asked for.
+         * This call on smaller inputs, of which one that goes wrong too may be told
+         * in this one's place; none where only this input is asked for.
          */
         default Stream<Call> smaller() {
             return Stream.empty();
@@ -247,7 +247,7 @@ public interface TopicGrading {
         }
 
         /**
-         * The same with what a student's method did where it is not right, as far as the lab shows
+         * The scene with what a student's method did where it is not right, as far as the lab shows
          * it beside the right one.
          */
         String scene(Optional<Answer> wrong);

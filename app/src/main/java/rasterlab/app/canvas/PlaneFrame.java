@@ -54,7 +54,7 @@ record PlaneFrame(
     /** The distances between a point's ring and its label, the best first. */
     private static final int[] FARTHER = {0, 14};
 
-    /** The same where pixels may have to be left clear. */
+    /** The distances to choose from where pixels may have to be left clear. */
     private static final int[] OFF_PIXELS = {0, 14, 28, 42, 56, 70};
 
     /** Half of the width of a thick line, and a little more. */

@@ -50,7 +50,7 @@ public interface PlanePicture {
     }
 
     /**
-     * The same picture with what may stand elsewhere out of the labels' way.
+     * This picture with what may stand elsewhere out of the labels' way.
      *
      * @param labels places of the view
      */

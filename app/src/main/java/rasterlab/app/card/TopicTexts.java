@@ -42,7 +42,7 @@ public record TopicTexts(Texts texts) {
         return hazard(hazard.name());
     }
 
-    /** The same of the hazard of that name. */
+    /** The explanation of the hazard of that name. */
     public String hazard(String name) {
         return texts.text("hazard." + name);
     }

@@ -117,13 +117,13 @@ public record TopicWay<M>(
                                         }));
     }
 
-    /** The same way, which also shows cases of exercises. */
+    /** This topic's card, which also shows cases of exercises. */
     public TopicWay<M> reading(Cases<M> cases) {
         return new TopicWay<>(show, notes, Optional.of(cases), anyInput, own, written);
     }
 
     /**
-     * The same way of a lab whose command for the terminal begins with the input.
+     * This topic's card in a lab whose command for the terminal begins with the input.
      *
      * @param command for what is shown; empty where no command does that
      */
@@ -133,13 +133,13 @@ public record TopicWay<M>(
                         lab -> command.apply(lab).flatMap(told -> CommandInput.in(topic, told)));
     }
 
-    /** The same way of a lab that tells its input. */
+    /** This topic's card in a lab that tells its input. */
     public TopicWay<M> writing(Writing<M> input) {
         return new TopicWay<>(show, notes, cases, anyInput, own, Optional.of(input));
     }
 
     /**
-     * The same way of a lab that runs the user's own program as one of its methods, all in one
+     * This topic's card in a lab that runs the user's own program as one of its methods, all in one
      * change.
      *
      * @param history of what is shown
@@ -167,7 +167,7 @@ public record TopicWay<M>(
         return showingOwn(showing);
     }
 
-    /** The same way of a lab that shows the user's own program in a way of its own. */
+    /** This topic's card in a lab that shows the user's own program in a way of its own. */
     public TopicWay<M> showingOwn(ShowOwn<M> showing) {
         return new TopicWay<>(show, notes, cases, anyInput, Optional.of(showing), written);
     }

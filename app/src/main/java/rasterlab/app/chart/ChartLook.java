@@ -40,7 +40,7 @@ public record ChartLook(Color ground, Color ink) {
         return image(ChartSize.USUAL, chart);
     }
 
-    /** The same in another size. */
+    /** Draws the chart in another size. */
     public BufferedImage image(ChartSize size, Consumer<Graphics2D> chart) {
         var image =
                 new BufferedImage(
@@ -69,7 +69,7 @@ public record ChartLook(Color ground, Color ink) {
         chart.accept(graphics);
     }
 
-    /** Color of words that explain, and of the lines that lead to them. */
+    /** Colour of words that explain, and of the lines that lead to them. */
     public Color note() {
         return mixed(NOTE);
     }

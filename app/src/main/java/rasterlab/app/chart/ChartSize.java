@@ -28,7 +28,7 @@ public record ChartSize(int width, int height, double dots) {
     }
 
     /**
-     * The same of a chart that needs more or less room.
+     * The size of a chart that fills a stage and needs more or less room.
      *
      * @param leastWidth smaller than which the chart is not laid out, in its own units
      * @param leastHeight the same of its height

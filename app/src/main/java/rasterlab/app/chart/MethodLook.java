@@ -66,13 +66,13 @@ public record MethodLook(Color color, Marker marker, BasicStroke stroke) {
                         WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
     }
 
-    /** The same in a colour that stands out from the ground. */
+    /** This look in a colour that stands out from the ground. */
     public MethodLook on(ChartLook paper) {
         return new MethodLook(paper.line(color), marker, stroke);
     }
 
     /**
-     * The same for a line without marks, told by its dashes alone.
+     * This look for a line without marks, told by its dashes alone.
      *
      * @param number of the line on its chart, from 0; every fourth has the same dashes
      */

@@ -187,7 +187,7 @@ final class ClipPainter {
     }
 
     /**
-     * Color of a region's code: less than the ink, yet to be read on the ground and in the window.
+     * Colour of a region's code: less than the ink, yet to be read on the ground and in the window.
      */
     static Color code(StageColors colors) {
         return MethodColors.mix(colors.axis(), colors.ink(), 0.5);

@@ -63,7 +63,9 @@ final class Submitting {
         this.late = late;
     }
 
-    /** The same, where the student agrees, or not, that a late submission is marked as such. */
+    /**
+     * This submission where the student agrees, or not, that a late submission is marked as such.
+     */
     Submitting late(boolean agreed) {
         return new Submitting(server, token, form, agreed);
     }

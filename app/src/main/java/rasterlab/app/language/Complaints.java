@@ -11,7 +11,7 @@ public final class Complaints {
         return ComplaintTexts.said(language.locale(), english);
     }
 
-    /** The same on a terminal: numbers keep the point that one types there. */
+    /** The sentence on a terminal: numbers keep the point that one types there. */
     public static String saidToTypist(Language language, String english) {
         return ComplaintTexts.saidToTypist(language.locale(), english);
     }

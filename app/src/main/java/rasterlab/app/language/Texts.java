@@ -46,12 +46,12 @@ public final class Texts {
         return new Texts(TopicWords.of(topic, language.locale()), language);
     }
 
-    /** The same for a library that looks up its own keys. */
+    /** The texts for a library that looks up its own keys. */
     public static ResourceBundle bundle(String feature, String bundle, Language language) {
         return bundle("rasterlab.app." + feature + "." + bundle, language);
     }
 
-    /** The same of any package, by the bundle's whole name. */
+    /** The texts of any package, by the bundle's whole name. */
     public static ResourceBundle bundle(String name, Language language) {
         var onlyAsked =
                 ResourceBundle.Control.getNoFallbackControl(

@@ -40,7 +40,7 @@ public record ColorChoice(
     }
 
     /**
-     * The same with another number; a colour outside the cube is not taken.
+     * This colour with another number; a colour outside the cube is not taken.
      *
      * @param in the model whose number it is
      */
@@ -130,7 +130,7 @@ public record ColorChoice(
     }
 
     /**
-     * The same by any method.
+     * The difference that comes back from each model by any method.
      *
      * @throws NoAnswer if the method runs elsewhere and gives none
      */

@@ -261,7 +261,7 @@ public record LightChoice(
                 lamps.stream().filter(Lamp::on).map(Lamp::light).toList());
     }
 
-    /** The same parts, to be changed one by one. */
+    /** Parts of a choice, to be changed one by one. */
     private static final class Draft {
         private LitBody body;
         private SphericalView camera;

@@ -87,7 +87,7 @@ public record LightFrame(LightChoice choice, int width, int height) {
             return own.flatMap(OwnRemarks::steps);
         }
 
-        /** The same with the program's answers up to a step alone. */
+        /** This drawing with the program's answers up to a step alone. */
         public Drawn upTo(int step) {
             if (steps().isEmpty() || step >= steps().get().count()) return this;
             if (steps().get() instanceof LightSteps light) {

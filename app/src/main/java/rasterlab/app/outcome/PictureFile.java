@@ -40,7 +40,7 @@ public final class PictureFile {
     }
 
     /**
-     * The same in colour with alpha, whatever the file has.
+     * Reads a picture in colour with alpha, whatever the file has.
      *
      * @param most pixels on a side
      */

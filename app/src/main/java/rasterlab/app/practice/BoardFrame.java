@@ -47,7 +47,7 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
                 view);
     }
 
-    /** The same board with another part of it in sight. */
+    /** This board with another part of it in sight. */
     BoardFrame by(PlaneMap other) {
         return new BoardFrame(space, other, view);
     }

@@ -23,7 +23,7 @@ final class RowInspector {
     private static final String UNKNOWN = "—";
     private static final int DIGITS = 9;
 
-    /** The same where there are many columns. */
+    /** Number of digits where there are many columns. */
     private static final int FEWER = 7;
 
     private final RowLabModel model;

@@ -196,7 +196,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         newest = Optional.empty();
     }
 
-    /** The same topic's rows are shown once more; those of another topic from the first on. */
+    /** Shows the topic's rows once more; those of another topic from the first on. */
     public void openAgain(String topic) {
         forget();
         open(topic);

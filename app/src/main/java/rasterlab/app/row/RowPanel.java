@@ -52,7 +52,7 @@ public final class RowPanel extends LabCard {
         prepare();
     }
 
-    /** The other hazards shall not be waited for when they are chosen. */
+    /** Finds the verdicts of the other hazards before they are chosen. */
     private void prepare() {
         var thread = new Thread(model::prepare, "rows");
         thread.setDaemon(true);

@@ -82,7 +82,7 @@ public final class LabFrame extends JFrame {
     }
 
     /**
-     * The same with tabs that were made before, of models that keep their sources already.
+     * Makes a frame with tabs that were made before, of models that keep their sources already.
      *
      * @param tabs in the settings' language
      */

@@ -89,7 +89,7 @@ public final class LabTabs implements AutoCloseable {
                 : new PracticeCards(lab, models.practice(room), around.language());
     }
 
-    /** The same tabs once more, in another language or theme. */
+    /** These tabs once more, in another language or theme. */
     LabTabs again(Language language) {
         return create(models, language, onFailure);
     }

@@ -113,7 +113,7 @@ final class HazardTable extends JTable {
         return SvgPicture.of(whole.width, whole.height, this::printWhole);
     }
 
-    /** The same dot by dot. */
+    /** The table dot by dot. */
     BufferedImage dots() {
         Dimension whole = whole();
         return DevicePixels.painted(

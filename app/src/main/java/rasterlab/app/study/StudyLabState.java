@@ -80,7 +80,7 @@ public record StudyLabState(
                 topic, next, view, study, cells, level, marked, hazard, method, work);
     }
 
-    /** The same with other measurements; the chosen point stays that of its method and level. */
+    /** This state with other measurements; the chosen point stays that of its method and level. */
     StudyLabState with(Study next) {
         return new StudyLabState(
                 topic,

@@ -111,7 +111,7 @@ final class TourPage {
         return picture(name, PngFile.bytes(image), caption);
     }
 
-    /** The same for a picture that is PNG already. */
+    /** Writes a picture that is PNG already and describes it. */
     Figure picture(String name, byte[] png, String caption) {
         WholeFile.write(folder.resolve(PICTURES).resolve(name + ".png"), png);
         return new Figure(PICTURES + "/" + name + ".png", caption);

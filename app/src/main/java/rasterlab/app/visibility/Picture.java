@@ -45,7 +45,7 @@ public record Picture(
                 Optional.of(planned));
     }
 
-    /** The same with the depths of another method. */
+    /** This picture with the depths of another method. */
     Picture lentBy(String method) {
         return new Picture(request, raster, nanos, refusal, Optional.of(method), planned);
     }

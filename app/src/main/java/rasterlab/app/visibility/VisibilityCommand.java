@@ -75,7 +75,7 @@ record VisibilityCommand(
         return known.isEmpty() ? List.of(VisibilityChoice.known(choice.visibility())) : known;
     }
 
-    /** The same of a scene that was saved since. */
+    /** This command for a scene that was saved since. */
     VisibilityCommand drawnFrom(Path saved) {
         return new VisibilityCommand(choice, Optional.of(saved), zoom, width, height, outlined);
     }

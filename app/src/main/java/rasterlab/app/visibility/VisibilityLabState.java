@@ -54,7 +54,7 @@ public record VisibilityLabState(
         return differences.flatMap(found -> found.first().compared());
     }
 
-    /** The same of the other method. */
+    /** The faults of the second picture; empty where they are not known, or its method refuses. */
     public Optional<Compared> otherDifference() {
         return otherOutcome().flatMap(Differences.Outcome::compared);
     }
@@ -160,7 +160,7 @@ public record VisibilityLabState(
         return draft.state();
     }
 
-    /** The same parts, to be changed one by one. */
+    /** Parts of a state, to be changed one by one. */
     private static final class Draft {
         private VisibilityChoice choice;
         private Optional<Picture> picture;

@@ -115,7 +115,7 @@ final class VisibilityReadings {
         return refusal(state.choice().visibility(), first());
     }
 
-    /** The same of the other method. */
+    /** The reason of the other method; empty where its pixels are counted. */
     Optional<String> otherRefusal() {
         return refusal(state.choice().comparison(), state.otherOutcome());
     }

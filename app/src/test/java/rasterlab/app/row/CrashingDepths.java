@@ -24,7 +24,7 @@ final class CrashingDepths extends ForwardingTopic<DepthFormat, DepthRows, Store
         return super.record(method, rows, limit);
     }
 
-    /** The same objects each time, so that the broken one is known. */
+    /** These objects each time, so that the broken one is known. */
     @Override
     public List<Method<DepthFormat>> methods() {
         return methods;

@@ -55,7 +55,7 @@ public final class UnroundedInterval {
         return enter.over().signum() == 0 ? c0 : enter.between(c0, c1);
     }
 
-    /** The same coordinate where it leaves. */
+    /** The coordinate where it leaves. */
     public double atLeave(double c0, double c1) {
         return leave.equals(Fraction.ONE) ? c1 : leave.between(c0, c1);
     }

@@ -6,7 +6,7 @@ import java.util.Map;
 import rasterlab.contract.ColorModel;
 
 /**
- * The same colours in all models.
+ * Colours in all models.
  *
  * @param models of each model the numbers of all colours, one after the other
  */

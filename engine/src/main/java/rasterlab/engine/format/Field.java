@@ -19,13 +19,13 @@ public record Field<T>(String name, Shape<T> shape, boolean required, FieldKind 
         return new Field<>(name, shape, false, FieldKind.NUMBERS, "");
     }
 
-    /** The same field, whose value is drawn as that. */
+    /** This field, whose value is drawn as that. */
     public Field<T> as(FieldKind drawn) {
         return new Field<>(name, shape, required, drawn, unit);
     }
 
     /**
-     * The same field, whose numbers are in a unit.
+     * This field, whose numbers are in a unit.
      *
      * @param plural such as "degrees"
      */

@@ -74,7 +74,7 @@ public final class Given {
         values.put(field.name(), value);
     }
 
-    /** The same with one value more. */
+    /** These values with one value more. */
     public <T> Given with(Field<T> field, T value) {
         put(field, value);
         return this;

@@ -41,17 +41,17 @@ public record LightModel(
         return new LightModel(ambient, false, false, Reflection.BLINN_PHONG, List.of(lights));
     }
 
-    /** The same with another specular term. */
+    /** This model with another specular term. */
     public LightModel with(Reflection other) {
         return new LightModel(globalAmbient, localViewer, twoSided, other, lights);
     }
 
-    /** The same with a direction to the eye for each point. */
+    /** This model with a direction to the eye for each point. */
     public LightModel withLocalViewer() {
         return new LightModel(globalAmbient, true, twoSided, reflection, lights);
     }
 
-    /** The same with backs lit by themselves. */
+    /** This model with backs lit by themselves. */
     public LightModel withTwoSides() {
         return new LightModel(globalAmbient, localViewer, true, reflection, lights);
     }

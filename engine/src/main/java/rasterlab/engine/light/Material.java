@@ -20,7 +20,7 @@ public record Material(SurfaceMaterial surface, double alpha) {
         return new Material(new SurfaceMaterial(color, color, new double[3], new double[3], 0), 1);
     }
 
-    /** The same with white highlights. */
+    /** This material with white highlights. */
     public Material shiny(double specular, double shininess) {
         double[] white = {specular, specular, specular};
         return new Material(

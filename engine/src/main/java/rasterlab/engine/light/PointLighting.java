@@ -43,7 +43,7 @@ public final class PointLighting {
         lights = model.lights().stream().map(PlacedLight::new).toArray(PlacedLight[]::new);
     }
 
-    /** The same lighting for another thread, the eye where it is now. */
+    /** This lighting for another thread, the eye where it is now. */
     public PointLighting forThread() {
         var other = new PointLighting(model, front, back);
         other.eyeX = eyeX;
@@ -53,7 +53,7 @@ public final class PointLighting {
         return other;
     }
 
-    /** The same light on many fronts at once, for one thread, the eye where it is now. */
+    /** This light on many fronts at once, for one thread, the eye where it is now. */
     public BlockLighting forBlocks() {
         return new BlockLighting(model, front, lights, eyeX, eyeY, eyeZ, eyeNear);
     }

@@ -14,7 +14,7 @@ public record Segment(int x0, int y0, int x1, int y1, PixelWindow window) {
         this(x0, y0, x1, y1, PixelWindow.EVERYTHING);
     }
 
-    /** The same segment, of which only the pixels in the window are shown. */
+    /** This segment, of which only the pixels in the window are shown. */
     public Segment in(PixelWindow window) {
         return new Segment(x0, y0, x1, y1, window);
     }
@@ -24,7 +24,7 @@ public record Segment(int x0, int y0, int x1, int y1, PixelWindow window) {
         return Math.max(Math.abs((long) x1 - x0), Math.abs((long) y1 - y0));
     }
 
-    /** The same segment drawn from its far end. */
+    /** This segment drawn from its far end. */
     public Segment reversed() {
         return new Segment(x1, y1, x0, y0, window);
     }

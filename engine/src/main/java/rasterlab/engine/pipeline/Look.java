@@ -79,7 +79,7 @@ public record Look(
     }
 
     /**
-     * The same look drawn by a method that the renderer does not know.
+     * This look drawn by a method that the renderer does not know.
      *
      * @param name what it is called; none of the renderer's names
      */
@@ -102,7 +102,7 @@ public record Look(
         return draft.look();
     }
 
-    /** The same look lit by some terms only, backs as told. */
+    /** This look lit by some terms only, backs as told. */
     public Look withLight(Set<LightTerm> seen, Sides backs) {
         var draft = new Draft(this);
         draft.terms = seen;
@@ -123,7 +123,7 @@ public record Look(
     }
 
     /**
-     * The same look with outlined faces.
+     * This look with outlined faces.
      *
      * @throws IllegalArgumentException if the visibility method draws none
      */
@@ -145,14 +145,14 @@ public record Look(
         return draft.look();
     }
 
-    /** The same look cut by planes in the world. */
+    /** This look cut by planes in the world. */
     public Look withClipPlanes(List<ClipPlane> other) {
         var draft = new Draft(this);
         draft.clipPlanes = other;
         return draft.look();
     }
 
-    /** The same look, of which something proved may be left out. */
+    /** This look, of which something proved may be left out. */
     public Look withSavings(Savings other) {
         var draft = new Draft(this);
         draft.savings = other;
@@ -177,7 +177,7 @@ public record Look(
                 "%s needs faces; surfaces are drawn with %s".formatted(what, allowed));
     }
 
-    /** The same parts, to be changed one by one. */
+    /** Parts of a look, to be changed one by one. */
     private static final class Draft {
         private String visibility;
         private Optional<Visibility> given;

@@ -50,25 +50,25 @@ public record RenderRequest(
                 Look.of(visibility, ShadingMethod.named(shading)));
     }
 
-    /** The same view with another look. */
+    /** This view with another look. */
     public RenderRequest with(Look other) {
         return new RenderRequest(scene, camera, projection, depth, width, height, other);
     }
 
-    /** The same picture from another camera; the usual depths go with its distance. */
+    /** This picture from another camera; the usual depths go with its distance. */
     public RenderRequest from(SphericalView other) {
         boolean usual = depth.equals(DrawnDepths.all(projection, camera.rho()));
         DrawnDepths depths = usual ? DrawnDepths.all(projection, other.rho()) : depth;
         return new RenderRequest(scene, other, projection, depths, width, height, look);
     }
 
-    /** The same picture of another scene. */
+    /** This picture of another scene. */
     public RenderRequest with(Scene other) {
         return new RenderRequest(other, camera, projection, depth, width, height, look);
     }
 
     /**
-     * The same picture with outlined faces.
+     * This picture with outlined faces.
      *
      * @throws IllegalArgumentException if the visibility method draws none
      */
@@ -76,12 +76,12 @@ public record RenderRequest(
         return with(look.withOutline());
     }
 
-    /** The same picture by another visibility method. */
+    /** This picture by another visibility method. */
     public RenderRequest withVisibility(String other) {
         return with(look.withVisibility(other));
     }
 
-    /** The same picture with other light. */
+    /** This picture with other light. */
     public RenderRequest withShading(ShadingMethod other) {
         return with(look.withShading(other));
     }

@@ -184,7 +184,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * The same into a picture of the request's size, whatever it holds before.
+     * Renders into a picture of the request's size, whatever it holds before.
      *
      * @return what the visibility method counted; nothing where another part of the pipeline drew
      */

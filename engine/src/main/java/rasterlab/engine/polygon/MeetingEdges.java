@@ -65,7 +65,7 @@ public final class MeetingEdges {
     }
 
     /**
-     * The same of any edges: edge i joins corner from[i] to corner to[i].
+     * The first pair of any edges that meet: edge i joins corner from[i] to corner to[i].
      *
      * @param x of the corners, finite, no two in one place
      * @param y as many

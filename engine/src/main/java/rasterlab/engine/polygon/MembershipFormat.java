@@ -59,7 +59,7 @@ public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Memb
     /** A judge that asks the method. */
     protected abstract Membership.Judge judge(C method, ShapeAndPoints input);
 
-    /** The same by the walks of the method, and their steps. */
+    /** Answers by the walks of the method, and their steps. */
     protected abstract Written walked(Call<C> call, ShapeAndPoints input);
 
     /** Writes the answer of a judge that records steps. */

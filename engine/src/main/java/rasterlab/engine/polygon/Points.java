@@ -59,7 +59,7 @@ public record Points(double[] x, double[] y) {
         return numbers;
     }
 
-    /** The same points, last first: a polygon that goes round the other way. */
+    /** These points, last first: a polygon that goes round the other way. */
     public Points reversed() {
         var backX = new double[x.length];
         var backY = new double[y.length];

@@ -27,7 +27,7 @@ public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
         return of(exact, actual, PixelDifference.of(exact, actual));
     }
 
-    /** The same where the difference of the sets is known. */
+    /** The first difference where that of the sets is known. */
     public static Optional<FirstDifference> of(
             PixelRecording exact, PixelRecording actual, PixelDifference difference) {
         return difference.isEmpty()
@@ -35,7 +35,7 @@ public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
                 : Optional.of(inPlace(exact, actual, difference));
     }
 
-    /** The same pixels, but perhaps repeated or in another order. */
+    /** The first difference between equal sets of pixels, perhaps repeated or in another order. */
     private static Optional<FirstDifference> inOrder(PixelRecording exact, PixelRecording actual) {
         int shared = Math.min(exact.size(), actual.size());
         int i = 0;

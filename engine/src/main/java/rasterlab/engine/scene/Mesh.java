@@ -52,7 +52,7 @@ public final class Mesh {
     }
 
     /**
-     * The same mesh with a normal for each corner.
+     * This mesh with a normal for each corner.
      *
      * @param xyz of length 1 within 10⁻⁹, pointing outwards
      */
@@ -62,7 +62,7 @@ public final class Mesh {
     }
 
     /**
-     * The same mesh with texture coordinates for each corner.
+     * This mesh with texture coordinates for each corner.
      *
      * @param st s and t of each, finite
      */
@@ -72,8 +72,8 @@ public final class Mesh {
     }
 
     /**
-     * The same mesh with a colour for each corner, by which the light is multiplied that the
-     * material gives off there but for highlights.
+     * This mesh with a colour for each corner, by which the light is multiplied that the material
+     * gives off there but for highlights.
      *
      * @param rgb red, green and blue of each, from 0 to 1
      */

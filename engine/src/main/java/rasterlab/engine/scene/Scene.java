@@ -69,7 +69,7 @@ public record Scene(
                 Optional.empty());
     }
 
-    /** The same scene, its faces standing for surfaces. */
+    /** This scene, its faces standing for surfaces. */
     public Scene of(ExactSurfaces exact) {
         return new Scene(
                 name,
@@ -113,7 +113,7 @@ public record Scene(
     }
 
     /**
-     * The same scene with its picture scale times {@code zoom}.
+     * This scene with its picture scale times {@code zoom}.
      *
      * @throws IllegalArgumentException unless zoom is finite and above 0
      */
@@ -132,7 +132,7 @@ public record Scene(
                 surfaces);
     }
 
-    /** The same scene first seen from elsewhere. */
+    /** This scene first seen from elsewhere. */
     public Scene seenFrom(SphericalView camera) {
         return new Scene(
                 name,
@@ -146,7 +146,7 @@ public record Scene(
                 surfaces);
     }
 
-    /** The same scene with some of its faces only, in the order given. */
+    /** This scene with some of its faces only, in the order given. */
     public Scene only(int[] faces) {
         return new Scene(
                 name,
@@ -160,7 +160,7 @@ public record Scene(
                 surfaces);
     }
 
-    /** The same scene with other finishes, one for each of its own. */
+    /** This scene with other finishes, one for each of its own. */
     public Scene with(UnaryOperator<Appearance> change) {
         return new Scene(
                 name,

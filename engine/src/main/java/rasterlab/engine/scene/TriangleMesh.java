@@ -34,7 +34,7 @@ public final class TriangleMesh {
     }
 
     /**
-     * The same mesh with normals.
+     * This mesh with normals.
      *
      * @param nx world x of every vertex's outward normal, which has length 1 within 10⁻³
      */
@@ -42,12 +42,12 @@ public final class TriangleMesh {
         return new TriangleMesh(vertices.withNormals(nx, ny, nz), triangles);
     }
 
-    /** The same mesh with texture coordinates, finite. */
+    /** This mesh with texture coordinates, finite. */
     public TriangleMesh withTexture(float[] s, float[] t) {
         return new TriangleMesh(vertices.withTexture(s, t), triangles);
     }
 
-    /** The same mesh with opaque or transparent colours of 0 to 1. */
+    /** This mesh with opaque or transparent colours of 0 to 1. */
     public TriangleMesh withColors(float[] red, float[] green, float[] blue, float[] alpha) {
         return new TriangleMesh(vertices.withColors(red, green, blue, alpha), triangles);
     }

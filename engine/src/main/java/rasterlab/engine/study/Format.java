@@ -119,7 +119,7 @@ public abstract class Format<C, I, O> {
     }
 
     /**
-     * The same for an input of the topic's own, which may have what is not told outside.
+     * Prepares a call for an input of the topic's own, which may have what is not told outside.
      *
      * @param input one of {@link #singles}
      */

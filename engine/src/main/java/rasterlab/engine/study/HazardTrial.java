@@ -50,7 +50,7 @@ public final class HazardTrial {
     }
 
     /**
-     * The same, told as it grows.
+     * Tries every method on every hazard, hazard by hazard, and tells each cell as it is judged.
      *
      * @param judged told each cell, on the caller's thread
      * @param cancelled asked before each cell
@@ -99,7 +99,7 @@ public final class HazardTrial {
     }
 
     /**
-     * The same with what the method made of it.
+     * The verdict on {@code method} for an input, with what the method made of it.
      *
      * @param wallLimit the longest it may take
      */

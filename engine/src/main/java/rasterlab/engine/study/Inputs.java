@@ -24,7 +24,7 @@ final class Inputs {
 
     private Inputs() {}
 
-    /** The same input, no array of which is shared; the very same where it has none. */
+    /** A copy of the input, no array of which is shared; the very same where it has none. */
     static <I> I copy(I input) {
         @SuppressWarnings("unchecked") // a copy has the type of what it copies
         I copy = (I) copyOf(input);

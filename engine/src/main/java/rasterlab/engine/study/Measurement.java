@@ -38,7 +38,7 @@ public record Measurement(
         this(method, workload, size, cost, error, kind, detail, List.of());
     }
 
-    /** The same at another cost. */
+    /** This measurement at another cost. */
     public Measurement with(Cost other) {
         return new Measurement(method, workload, size, other, error, kind, detail, errors);
     }

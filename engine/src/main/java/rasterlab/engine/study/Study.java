@@ -31,7 +31,7 @@ public record Study(
         this(topic, item, errorUnit, measurements, Optional.empty());
     }
 
-    /** The same with other measurements. */
+    /** This study with other measurements. */
     public Study with(List<Measurement> others) {
         return new Study(topic, item, errorUnit, others, circumstances);
     }

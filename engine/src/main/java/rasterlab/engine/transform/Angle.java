@@ -32,7 +32,7 @@ public record Angle(double sin, double cos) {
         return new Angle(Math.sin(radians), Math.cos(radians));
     }
 
-    /** The same angle the other way round. */
+    /** This angle the other way round. */
     public Angle negated() {
         return new Angle(-sin, cos);
     }

@@ -32,7 +32,7 @@ public record PictureFit(int width, int height, double pixelsPerUnit, double eye
         this(width, height, pixelsPerUnit, 0);
     }
 
-    /** The same fit for an eye so far to the right of the middle, in world units. */
+    /** This fit for an eye so far to the right of the middle, in world units. */
     public PictureFit forEye(double toTheRight) {
         return new PictureFit(width, height, pixelsPerUnit, toTheRight);
     }

@@ -54,7 +54,7 @@ public record SphericalView(double thetaRadians, double phiRadians, double rho) 
     }
 
     /**
-     * The same eye with the world's z axis pointing up in the picture.
+     * This eye with the world's z axis pointing up in the picture.
      *
      * <p>Where sin φ &lt; 0 the matrix's y axis points down the world's z axis, and a picture drawn
      * with y upwards stands on its head. (θ + π, −φ) is the same eye, turned upright. The vase's

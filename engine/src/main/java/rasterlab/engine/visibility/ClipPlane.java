@@ -31,7 +31,7 @@ public record ClipPlane(double a, double b, double c, double d) {
     }
 
     /**
-     * The same planes, which are not too many.
+     * These planes, which are not too many.
      *
      * @throws IllegalArgumentException for more than {@value #MOST}
      */

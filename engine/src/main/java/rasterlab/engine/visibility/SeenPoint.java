@@ -108,7 +108,7 @@ public record SeenPoint(
         return new SeenPoint(face, behind, point, normal, fan, within(weights));
     }
 
-    /** The same weights without what rounding made negative. */
+    /** The weights without what rounding made negative. */
     private static double[] within(double[] weights) {
         var within = new double[3];
         double sum = 0;

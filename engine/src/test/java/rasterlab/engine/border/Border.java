@@ -59,22 +59,22 @@ record Border<C, I, O>(
                 1);
     }
 
-    /** The same with fewer inputs. */
+    /** This border with fewer inputs. */
     Border<C, I, O> slow(double share) {
         return new Border<>(topic, input, refusals, promise, excuse, most, share);
     }
 
-    /** The same with answers cut after so many items. */
+    /** This border with answers cut after so many items. */
     Border<C, I, O> cut(int most) {
         return new Border<>(topic, input, refusals, promise, excuse, most, share);
     }
 
-    /** The same with a promise that each answer has to keep. */
+    /** This border with a promise that each answer has to keep. */
     Border<C, I, O> promising(BiPredicate<I, O> promise) {
         return new Border<>(topic, input, refusals, promise, excuse, most, share);
     }
 
-    /** The same with places where answers may differ. */
+    /** This border with places where answers may differ. */
     Border<C, I, O> excusing(Excuse<I, O> excuse) {
         return new Border<>(topic, input, refusals, promise, excuse, most, share);
     }

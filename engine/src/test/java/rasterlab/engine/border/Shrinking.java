@@ -23,7 +23,7 @@ final class Shrinking {
         return best;
     }
 
-    /** The same list where nothing simpler fails. */
+    /** The list itself where nothing simpler fails. */
     private static List<Double> simpler(List<Double> numbers, Predicate<List<Double>> fails) {
         for (int i = 0; i < numbers.size(); i++)
             for (double candidate : candidates(numbers.get(i))) {

@@ -13,7 +13,7 @@ class SmoothedMeshTest {
         return new NormalsTopic().method(name).implementation();
     }
 
-    /** The same faces, each with vertices of its own: every edge is a seam. */
+    /** The faces, each with vertices of its own: every edge is a seam. */
     private static Mesh apart(Mesh mesh) {
         var xyz = new double[3 * mesh.totalCorners()];
         var faces = new int[mesh.faceCount()][];

@@ -167,7 +167,7 @@ public final class ComplaintTexts {
     }
 
     /**
-     * The same on a terminal: numbers keep the point that one types there, whole ones without a
+     * The sentence on a terminal: numbers keep the point that one types there, whole ones without a
      * fraction. English keeps its quotation marks and the digits of what was computed.
      */
     public static String saidToTypist(Locale language, String english) {

@@ -4,7 +4,7 @@ import java.awt.Color;
 import java.util.List;
 import rasterlab.engine.raster.PixelMark;
 
-/** The colors of the pictures; form always tells the same as color. */
+/** The colours of the pictures; form always tells the same as colour. */
 final class Ink {
     static final Color PAPER = Color.WHITE;
 
@@ -30,12 +30,12 @@ final class Ink {
 
     private Ink() {}
 
-    /** The same color, so far towards paper that a figure filled with it stays readable. */
+    /** The colour, so far towards paper that a figure filled with it stays readable. */
     static Color pale(Color color) {
         return towardsPaper(color, 6);
     }
 
-    /** The same color, but not as strong as a line. */
+    /** The colour, but not as strong as a line. */
     static Color faint(Color color) {
         return towardsPaper(color, 2);
     }

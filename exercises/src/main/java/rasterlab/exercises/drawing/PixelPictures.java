@@ -12,9 +12,9 @@ import rasterlab.exercises.score.PicturePart;
 
 /**
  * Shows a difference of pixels by three grids: the exact pixels, those that were drawn, and
- * missing, extra and right ones told apart by shape and color. The text of each has a character for
- * each pixel: {@code #} lit, {@code .} empty; in the difference {@code #} right, {@code *} right
- * but drawn again or out of turn, {@code +} extra, {@code -} missing.
+ * missing, extra and right ones told apart by shape and colour. The text of each has a character
+ * for each pixel: {@code #} lit, {@code .} empty; in the difference {@code #} right, {@code *}
+ * right but drawn again or out of turn, {@code +} extra, {@code -} missing.
  */
 public final class PixelPictures {
     private static final char AMISS = '*';

@@ -122,7 +122,7 @@ final class PlaneComparison {
         return most;
     }
 
-    /** The same points in every order that makes the same figure. */
+    /** The points in every order that makes the same figure. */
     private static List<List<CasePoint>> orders(PlaneFigure figure) {
         List<CasePoint> points = figure.points();
         if (figure.form() == Form.POINT || points.size() < 2) return List.of(points);

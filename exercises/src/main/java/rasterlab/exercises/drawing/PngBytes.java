@@ -22,17 +22,17 @@ final class PngBytes {
     /** Bytes that a picture of a report should not exceed. */
     static final int MOST = 40_000;
 
-    /** Numbers of colors for a picture that is too large in all of its own. */
+    /** Numbers of colours for a picture that is too large in all of its own. */
     private static final int[] FEW = {16, 8};
 
     private PngBytes() {}
 
-    /** The whole picture in all its colors. */
+    /** The whole picture in all its colours. */
     static byte[] of(BufferedImage image) {
         return written(image, writer -> writer.getDefaultWriteParam());
     }
 
-    /** The same, compressed as far as PNG can be, which takes longer. */
+    /** A picture as PNG, compressed as far as PNG can be, which takes longer. */
     private static byte[] compressed(BufferedImage image) {
         return written(
                 image,
@@ -60,7 +60,10 @@ final class PngBytes {
         return bytes.toByteArray();
     }
 
-    /** The same; a picture larger than {@link #MOST} keeps only its most important colors. */
+    /**
+     * A picture as compressed PNG; one larger than {@link #MOST} keeps only its most important
+     * colours.
+     */
     static byte[] small(BufferedImage image) {
         byte[] bytes = of(image);
         for (int i = 0; i < FEW.length && bytes.length > MOST; i++)
@@ -68,7 +71,7 @@ final class PngBytes {
         return bytes;
     }
 
-    /** The picture with each color as the most similar of its inks and most frequent colors. */
+    /** The picture with each colour as the most similar of its inks and most frequent colours. */
     private static BufferedImage inFewColors(BufferedImage image, int most) {
         var counts = new HashMap<Integer, Integer>();
         int width = image.getWidth();

@@ -87,7 +87,7 @@ final class TableSheet {
         return false;
     }
 
-    /** The same part with numbers as that language writes them. */
+    /** This part with numbers as that language writes them. */
     TableSheet in(String other) {
         return new TableSheet(table, labels, rows, columns, other);
     }
@@ -111,7 +111,7 @@ final class TableSheet {
                 ROW_HEIGHT);
     }
 
-    /** The table with its numbers in one color. */
+    /** The table with its numbers in one colour. */
     BufferedImage numbers(Cells cells, Color color) {
         return draw(g -> each((row, column) -> number(g, row, column, cells, color)));
     }

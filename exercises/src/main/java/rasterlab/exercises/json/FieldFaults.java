@@ -73,7 +73,7 @@ public final class FieldFaults {
         }
     }
 
-    /** The same fault with its place as a JSON pointer. */
+    /** This fault with its place as a JSON pointer. */
     private Optional<Misfit> misfit() {
         byte[] text = alone.toString().getBytes(StandardCharsets.UTF_8);
         try {

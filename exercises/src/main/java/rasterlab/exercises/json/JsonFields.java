@@ -39,8 +39,8 @@ public final class JsonFields {
     }
 
     /**
-     * The same fields, of which each unknown one within an object of theirs is kept instead of
-     * thrown, so that reading goes on to what else is wrong there.
+     * These fields, of which each unknown one within an object of theirs is kept instead of thrown,
+     * so that reading goes on to what else is wrong there.
      */
     public JsonFields keeping(Consumer<CatalogueException> unknown) {
         return new JsonFields(object, Optional.of(unknown));
@@ -56,7 +56,7 @@ public final class JsonFields {
         return parse(Phrase.quoted(place), json, known);
     }
 
-    /** The same where words of ours say the place. */
+    /** Reads JSON where words of ours say the place. */
     public static JsonFields parse(Phrase place, String json, String... known) {
         return new JsonFields(new Value(place, "", Value.read(place, json)), known);
     }
@@ -123,7 +123,7 @@ public final class JsonFields {
         return required(field).read(in -> in.word(allowed));
     }
 
-    /** The same; that word where the field is missing. */
+    /** One of some words; that one where the field is missing. */
     public String word(String field, List<String> allowed, String otherwise) {
         return has(field) ? word(field, allowed) : otherwise;
     }
@@ -210,7 +210,7 @@ public final class JsonFields {
             }
         }
 
-        /** The same object without other fields; itself where it has none. */
+        /** This object without other fields; itself where it has none. */
         Value only(String... known) {
             ObjectNode left = node.deepCopy();
             left.retain(known);

@@ -35,12 +35,12 @@ public final class JsonText {
         return tree(STRICT, json);
     }
 
-    /** The same with all digits of each number, so that it can be written as it was. */
+    /** Reads JSON with all digits of each number, so that it can be written as it was. */
     public static JsonNode treeWithAllDigits(String json) throws NotJson {
         return tree(WITH_ALL_DIGITS, json);
     }
 
-    /** The same with NaN and infinite numbers, so that they can be refused with their place. */
+    /** Reads JSON with NaN and infinite numbers, so that they can be refused with their place. */
     public static JsonNode treeWithEndlessNumbers(String json) throws NotJson {
         return tree(WITH_ENDLESS_NUMBERS, json);
     }

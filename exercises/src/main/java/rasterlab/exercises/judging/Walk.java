@@ -93,7 +93,7 @@ public record Walk(List<JsonNode> steps) {
         }
     }
 
-    /** The same with whole numbers as such, 3 instead of 3.0. */
+    /** The document with whole numbers as such, 3 instead of 3.0. */
     private static JsonNode wholes(JsonNode node) {
         if (node.isObject()) {
             ObjectNode object = OwnJson.MAPPER.createObjectNode();

@@ -29,7 +29,7 @@ public record CaseTrial(Case one, List<TriedCall> calls, Optional<Finding> untri
         return new CaseTrial(one, List.of(), Optional.of(reason));
     }
 
-    /** The same with some calls replaced. */
+    /** This trial with some calls replaced. */
     public CaseTrial with(Map<TriedCall, TriedCall> replaced) {
         return tried(one, calls.stream().map(call -> replaced.getOrDefault(call, call)).toList());
     }

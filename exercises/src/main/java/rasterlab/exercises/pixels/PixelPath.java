@@ -13,7 +13,7 @@ public interface PixelPath {
     PixelRecording exact(int limit);
 
     /**
-     * The same with tied pixels as another answer has them: where two pixels are as near to what is
+     * The path with tied pixels as another answer has them: where two pixels are as near to what is
      * to be drawn, that answer's own.
      */
     PixelRecording nearest(PixelRecording actual, int limit);

@@ -55,7 +55,7 @@ record PixelPlace(List<Cause> causes, PixelPath path, Motion back) {
         return places.stream().filter(place -> place.meetsAnEnd(actual)).toList();
     }
 
-    /** The same mistake as being mirrored, but the first end stays where it is. */
+    /** The cause of a path that is mirrored about its first end, which stays where it is. */
     private static Cause wrongWay(String axis, Cause mirrored) {
         return new Cause(mirrored.code(), Message.of("mistake.wrong-way-" + axis));
     }

@@ -36,7 +36,7 @@ public final class SheetText {
         return open(exercise.id(), Sheet.of(exercise.topic(), rules, seed));
     }
 
-    /** The same of an exercise that is not read to its end. */
+    /** The text of an exercise that is not read to its end. */
     public static String open(String id, Sheet sheet) {
         return written(id, sheet, question -> JsonNodeFactory.instance.objectNode());
     }

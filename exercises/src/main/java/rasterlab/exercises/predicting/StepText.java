@@ -131,7 +131,7 @@ public final class StepText {
         return signed(POINT.matcher(listed).replaceAll(String.valueOf(comma)));
     }
 
-    /** The same with a minus as long as digits are wide. */
+    /** The sentence with a minus as long as digits are wide. */
     public static String signed(String sentence) {
         return MINUS.matcher(sentence).replaceAll("−");
     }

@@ -82,7 +82,7 @@ public interface Relation<I, O> {
         };
     }
 
-    /** The same of one change. */
+    /** A relation of one change. */
     static <I, O> Relation<I, O> changed(UnaryOperator<I> input, BiFunction<I, O, O> answer) {
         return changed(List.of(new Change<>(input, answer)));
     }

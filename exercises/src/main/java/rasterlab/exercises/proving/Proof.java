@@ -26,7 +26,7 @@ public record Proof(
     /** The most points of 100 for the starter: more means that it does part of the work. */
     public static final int STARTER_AT_MOST = 10;
 
-    /** The same of one that is an input: any input shows some mistakes. */
+    /** The most points of 100 for a starter that is an input: any input shows some mistakes. */
     public static final int STARTING_INPUT_AT_MOST = 50;
 
     public Proof {

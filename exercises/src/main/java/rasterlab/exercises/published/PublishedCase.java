@@ -74,7 +74,7 @@ public record PublishedCase(
     }
 
     /**
-     * The same with the reason why the case is there.
+     * This case with the reason why the case is there.
      *
      * @param reason in the language of the other words
      */
@@ -82,7 +82,7 @@ public record PublishedCase(
         return with(tolerance, rule, Optional.of(reason));
     }
 
-    /** The same with what makes an answer right, in that language. */
+    /** This case with what makes an answer right, in that language. */
     public PublishedCase under(CaseRule right, String language) {
         return with(
                 Optional.of(right.tolerance().in(language)),

@@ -31,7 +31,7 @@ public record PublishedPoints(
         return of(points, 0, List.of());
     }
 
-    /** The same, less the points that hints cost, and then with what a teacher gave or took. */
+    /** The points, less the points that hints cost, and then with what a teacher gave or took. */
     public static PublishedPoints of(ScorePoints points, int hints, List<ManualPoints> manual) {
         int graded = Math.max(0, points.total() - hints);
         int given = manual.stream().mapToInt(ManualPoints::points).sum();

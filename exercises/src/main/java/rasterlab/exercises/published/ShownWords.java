@@ -12,7 +12,7 @@ public final class ShownWords {
 
     private ShownWords() {}
 
-    /** The same words; what is quoted, such as a student's own text, stays as it is. */
+    /** These words; what is quoted, such as a student's own text, stays as it is. */
     public static String of(String inJson) {
         return HYPHEN.matcher(inJson).replaceAll(ShownWords::shown);
     }

@@ -76,7 +76,7 @@ public final class Judge implements Grading, AutoCloseable {
     }
 
     /**
-     * The same.
+     * Starts a judge that remembers earlier measurements.
      *
      * @param memory in which bands of speed sources were before
      */
@@ -84,7 +84,7 @@ public final class Judge implements Grading, AutoCloseable {
         return start(settings, memory, Compiling::inAChild);
     }
 
-    /** The same with another compiler than the child, for sources that can do it no harm. */
+    /** Starts a judge with another compiler than the child, for sources that can do it no harm. */
     static Judge start(JudgeSettings settings, SpeedMemory memory, Compiling compiling) {
         ChildJars jars = ChildJars.assemble();
         Launcher launcher = new Launcher(jars);

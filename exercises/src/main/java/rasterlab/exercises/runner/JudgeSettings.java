@@ -66,7 +66,7 @@ public record JudgeSettings(
                 Box.STRONGEST);
     }
 
-    /** The same without children in reserve: for a program that grades once and ends. */
+    /** The settings without children in reserve: for a program that grades once and ends. */
     public static JudgeSettings once() {
         return defaults().withSpares(false);
     }

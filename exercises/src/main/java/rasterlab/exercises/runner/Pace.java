@@ -109,7 +109,7 @@ final class Pace {
         return program.own.over(reference.own).interval();
     }
 
-    /** The same by the clock of this process. */
+    /** The ratio by the clock of this process. */
     MedianInterval wallRatio() {
         return program.wall.over(reference.wall).interval();
     }
@@ -119,7 +119,7 @@ final class Pace {
         return reference.own();
     }
 
-    /** The same by the clock of this process. */
+    /** The reference's time by the clock of this process. */
     double wallReference() {
         return reference.wall();
     }

@@ -85,7 +85,7 @@ final class TimedBatch {
         }
     }
 
-    /** The same for one of the inputs alone. */
+    /** This batch for one of the inputs alone. */
     TimedBatch alone(int input) {
         return new TimedBatch(contract, timing, caps, input, input + 1);
     }

@@ -87,7 +87,7 @@ public record MethodCase(
         return drawn.map(Drawn::plotted);
     }
 
-    /** The same as text; {@link SceneFile#read} gives back what is equal. */
+    /** This case as text; {@link SceneFile#read} gives back what is equal. */
     public String write() {
         return CaseJson.write(this);
     }

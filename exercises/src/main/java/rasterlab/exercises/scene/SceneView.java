@@ -6,7 +6,7 @@ package rasterlab.exercises.scene;
  * @param settings what is said about that
  */
 public record SceneView(SceneSource source, Settings settings) implements SceneFile {
-    /** The same as text; {@link SceneFile#read} gives back what is equal. */
+    /** This view as text; {@link SceneFile#read} gives back what is equal. */
     public String write() {
         return ViewJson.write(this);
     }

@@ -30,7 +30,7 @@ public final class Settings {
     }
 
     /**
-     * The same settings with one thing more, or another value of it.
+     * These settings with one thing more, or another value of it.
      *
      * @throws IllegalArgumentException for a value that no file may have
      */
@@ -43,7 +43,7 @@ public final class Settings {
         return put(setting, setting.read(SceneJsonPlace.root(json).at(setting.field())));
     }
 
-    /** The same, if there is a value. */
+    /** These settings with a value of one thing, if there is a value. */
     public <T> Settings with(SceneSetting<T> setting, Optional<T> value) {
         return value.map(given -> with(setting, given)).orElse(this);
     }

@@ -56,14 +56,14 @@ record AnswerTable(Map<String, List<List<Object>>> fields) {
         };
     }
 
-    /** The same with other rows in each field. */
+    /** This table with other rows in each field. */
     AnswerTable withRows(UnaryOperator<List<List<Object>>> change) {
         Map<String, List<List<Object>>> changed = new LinkedHashMap<>();
         fields.forEach((name, rows) -> changed.put(name, change.apply(rows)));
         return new AnswerTable(changed);
     }
 
-    /** The same with other values, wherever they stand. */
+    /** This table with other values, wherever they stand. */
     AnswerTable withValues(UnaryOperator<Object> change) {
         return withRows(
                 rows -> rows.stream().map(row -> row.stream().map(change).toList()).toList());

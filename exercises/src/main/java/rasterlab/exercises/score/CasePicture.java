@@ -20,7 +20,7 @@ public record CasePicture(
     public static final String EXPECTED = "expected";
     public static final String ACTUAL = "actual";
 
-    /** Missing, extra and right told apart by shape and color. */
+    /** Missing, extra and right told apart by shape and colour. */
     public static final String DIFFERENCE = "difference";
 
     private static final Pattern KIND = Pattern.compile("[a-z0-9]+(-[a-z0-9]+)*");

@@ -92,12 +92,12 @@ public record CaseReport(
         return messageInJson("en");
     }
 
-    /** The same in that language. */
+    /** The message in that language. */
     public String message(String language) {
         return VisibleText.line(said.in(language));
     }
 
-    /** The same as JSON has it, see {@link Message#inJson}. */
+    /** The message as JSON has it, see {@link Message#inJson}. */
     public String messageInJson(String language) {
         return VisibleText.line(said.inJson(language));
     }
@@ -107,7 +107,7 @@ public record CaseReport(
         return said.place();
     }
 
-    /** The same with what the student may not see taken out. */
+    /** This report with what the student may not see taken out. */
     public CaseReport forStudent(boolean afterDeadline) {
         if (visibility == Disclosure.OPEN
                 || name.equals(WITHHELD)

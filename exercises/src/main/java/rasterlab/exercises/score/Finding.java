@@ -27,12 +27,12 @@ public record Finding(
         return of(verdict, said, List.of());
     }
 
-    /** The same with what explains it. */
+    /** A finding with what explains it. */
     public static Finding of(GradingVerdict verdict, Message said, List<List<Cause>> explanations) {
         return new Finding(verdict, said, List.of(), explanations);
     }
 
-    /** The same with more to be said. */
+    /** This finding with more to be said. */
     public Finding and(Message more) {
         return more.isEmpty() ? this : new Finding(verdict, said.and(more), pictures, explanations);
     }

@@ -190,7 +190,7 @@ public record Message(List<Sentence> sentences) {
     }
 
     /**
-     * The same as JSON has it, which programs read too: in English a minus is a hyphen.
+     * The message as JSON has it, which programs read too: in English a minus is a hyphen.
      *
      * @param language such as "ru"
      */

@@ -42,7 +42,7 @@ public record Report(
         this(verdict, points, cases, diagnostics, isolation, nanosPerItem, Optional.empty());
     }
 
-    /** The same with figures on its speed. */
+    /** This report with figures on its speed. */
     public Report with(Optional<SpeedFigures> measured) {
         return new Report(verdict, points, cases, diagnostics, isolation, nanosPerItem, measured);
     }
@@ -79,8 +79,8 @@ public record Report(
     }
 
     /**
-     * The same with what the student may not see taken out: of a hidden case only the class of the
-     * error is left, and of one that is never shown not even the name.
+     * This report with what the student may not see taken out: of a hidden case only the class of
+     * the error is left, and of one that is never shown not even the name.
      */
     public Report forStudent(boolean afterDeadline) {
         return new Report(

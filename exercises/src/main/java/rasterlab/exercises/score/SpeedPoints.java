@@ -31,7 +31,7 @@ public final class SpeedPoints {
 
     private static final String UNSETTLED = "speed.unsettled";
 
-    /** The same where it is known to be slow. */
+    /** Key of the text where it is known to be slow. */
     private static final String UNSETTLED_SLOW = "speed.unsettled-slow";
 
     private static final Set<String> KEYS_UNSETTLED = Set.of(UNSETTLED, UNSETTLED_SLOW);

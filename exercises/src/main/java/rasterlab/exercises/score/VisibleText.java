@@ -16,7 +16,7 @@ final class VisibleText {
         return lines(text, MOST);
     }
 
-    /** The same of at most so many characters. */
+    /** The text of at most so many characters. */
     static String lines(String text, int most) {
         var visible = new StringBuilder();
         text.replace("\r\n", "\n")
@@ -30,7 +30,7 @@ final class VisibleText {
         return text.codePointCount(0, text.length()) <= most ? visible.toString() : visible + "…";
     }
 
-    /** The same in one line. */
+    /** The text in one line. */
     static String line(String text) {
         return lines(text).replace("\n", "\\n").replace("\t", "\\t");
     }

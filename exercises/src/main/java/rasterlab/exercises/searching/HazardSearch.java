@@ -31,7 +31,7 @@ public final class HazardSearch<C, I, O> {
     /** The wall time of one method, and of the exact answer, for one input. */
     private static final Duration LIMIT = Duration.ofSeconds(1);
 
-    /** The same where an input is tried once more because something took longer. */
+    /** Time limit where an input is tried once more because something took longer. */
     private static final Duration PATIENT = Duration.ofSeconds(8);
 
     /** The part of the time that goes to such inputs, and how many wait. */

@@ -21,7 +21,7 @@ final class TreeMutation {
         this.random = random;
     }
 
-    /** The same input with one to four changes. */
+    /** This input with one to four changes. */
     JsonNode changed(JsonNode tree) {
         JsonNode copy = tree.deepCopy();
         int changes = 1 + random.nextInt(4);

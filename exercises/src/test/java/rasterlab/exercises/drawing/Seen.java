@@ -68,12 +68,12 @@ final class Seen {
         assertEquals(1, sizes.size(), message + ": " + sizes);
     }
 
-    /** Number of pixels of exactly that color. */
+    /** Number of pixels of exactly that colour. */
     static int count(BufferedImage image, Color color) {
         return count(image, color, new Rectangle2D.Double(0, 0, 1e9, 1e9));
     }
 
-    /** The same within a part of the picture. */
+    /** The number of pixels of a colour within a part of the picture. */
     static int count(BufferedImage image, Color color, Rectangle2D part) {
         int count = 0;
         for (int y = 0; y < image.getHeight(); y++)

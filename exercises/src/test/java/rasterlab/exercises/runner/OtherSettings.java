@@ -6,7 +6,7 @@ import java.time.Duration;
 public final class OtherSettings {
     private OtherSettings() {}
 
-    /** The same settings with another limit for one call. */
+    /** These settings with another limit for one call. */
     public static JudgeSettings withCallLimit(Duration limit, JudgeSettings settings) {
         return new JudgeSettings(
                 settings.compileLimit(),

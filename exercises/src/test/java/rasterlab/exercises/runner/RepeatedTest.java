@@ -11,7 +11,7 @@ import rasterlab.exercises.Sources;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
-/** The same input has to have the same answer, whatever was drawn before it. */
+/** An input has to have one answer, whatever was drawn before it. */
 @Tag("slow")
 class RepeatedTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();

@@ -54,7 +54,7 @@ public final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
         return grade(source, CaseSelection.open());
     }
 
-    /** The same, compiled in a child as on the server. */
+    /** The report on a source that is compiled in a child as on the server. */
     Report gradeInChildren(String source) throws InterruptedException {
         if (inChildren == null) inChildren = Judge.start(settings);
         return inChildren.grade(EXERCISE, source, CaseSelection.open(), one -> {});

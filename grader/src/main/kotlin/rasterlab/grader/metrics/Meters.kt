@@ -64,7 +64,7 @@ class Meters(
             .forEach { it.bindTo(registry) }
     }
 
-    /** The same grading, timed by exercise. */
+    /** This grading, timed by exercise. */
     fun timed(grading: Grading) =
         Grading { exercise, source, cases, progress ->
             val begun = System.nanoTime()

@@ -52,7 +52,7 @@ data class ExerciseRules(
     /** The moment after which nothing comes that counts, or it is marked as late; null for none. */
     val ends: Instant? = closes ?: due
 
-    /** The same rules with this deadline where it is later: what was in time when it came stays so. */
+    /** These rules with this deadline where it is later: what was in time when it came stays so. */
     fun orDue(then: Instant?): ExerciseRules =
         if (due != null &&
             (then == null || then > due)

@@ -113,7 +113,7 @@ class StudentRecords(
             kept
         }
 
-    /** The same for a page, without a note of it. */
+    /** The student's record for a page, without a note of it. */
     fun look(student: String): KeptStudent = database.read { read(it, student) }
 
     /**

@@ -77,7 +77,7 @@ fun DIV.result(
     }
 }
 
-/** The other cases that are told the same, as one row that opens. */
+/** Cases that are told the same, as one row that opens. */
 private fun FlowContent.others(
     texts: PageTexts,
     cases: List<PublishedCase>,

@@ -28,7 +28,7 @@ public record ServerProcess(Process process, URI address, String token, Path log
         return start(command(data, "--port", "0"), data);
     }
 
-    /** The same with no more than so many open files, which limits no child that grades. */
+    /** A server with no more than so many open files, which limits no child that grades. */
     static ServerProcess withFiles(int most, Path data) throws IOException {
         var limit = "ulimit -Sn " + most + " && exec \"$@\"";
         var command = new ArrayList<>(List.of("sh", "-c", limit, "sh"));

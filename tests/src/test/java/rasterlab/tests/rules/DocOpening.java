@@ -11,7 +11,8 @@ import rasterlab.tests.Repository;
  *
  * <p>It begins with a noun or a verb: "Scrolls to the result.", "The radius, in pixels.", "Whether
  * the point lies inside." Words that lean on something unsaid make a fragment of it: "Of the plane
- * 2, of space 3.", "Empty where there is none.", "They touch.", "Pixels.", "What was done last."
+ * 2, of space 3.", "Empty where there is none.", "They touch.", "Pixels.", "What was done last.",
+ * "The same with another look."
  *
  * @param place file and line of the comment
  */
@@ -44,9 +45,13 @@ record DocOpening(String place, String sentence) {
     /** Names of a colour, and words that do stand at the beginning of a sentence. */
     private static final String FINE = "Called\\b|Red\\b|Need|Speed\\b|Right:|Wrong:";
 
+    /** Leaves to the comment before it what the thing is. */
+    private static final String SAME = "The same";
+
     private static final Pattern FRAGMENT =
             Pattern.compile(
-                    "(?!"
+                    SAME
+                            + "\\b.*|(?!"
                             + FINE
                             + ")(?:(?:"
                             + LEANING.replace(' ', '|')

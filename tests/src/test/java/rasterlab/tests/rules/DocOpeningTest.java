@@ -48,6 +48,8 @@ class DocOpeningTest {
                 "Back to how the lab opens. | true",
                 "In pixels. | true",
                 "What was done last. | true",
+                "The same with another look. | true",
+                "The sameness of two looks. | false",
                 "The step done last. | false",
                 "Dimension: 2 or 3. | false",
                 "The slope of the edge, in pixels a row. | false",

@@ -51,12 +51,16 @@ public final class CommandInput implements ValueSink {
         return new CommandInput(false).object(fields);
     }
 
-    /** The same as {@link #of}, for a topic whose answers depend on the signs of zeros. */
+    /**
+     * Writes an input as {@link #of} does, for a topic whose answers depend on the signs of zeros.
+     */
     public static <I> String signed(Format<?, I, ?> format, I input) {
         return signed(out -> format.writeInput(input, out));
     }
 
-    /** The same as {@link #of}, for a topic whose answers depend on the signs of zeros. */
+    /**
+     * Writes fields as {@link #of} does, for a topic whose answers depend on the signs of zeros.
+     */
     public static String signed(Written fields) {
         return new CommandInput(true).object(fields);
     }

@@ -35,7 +35,7 @@ public final class GivenInput {
                 : Named.find("hazard", name, topic.hazards(), Hazard::name);
     }
 
-    /** The same where the type of the inputs does not matter. */
+    /** The hazard of that name, where the type of the inputs does not matter. */
     public static Hazard<?> any(Topic<?, ?, ?> topic, String name) {
         return hazard(topic, name);
     }

@@ -38,7 +38,7 @@ public record HazardCase(
         return new HazardCase(name, label, special, List.of(), Map.of(), show);
     }
 
-    /** The same with verdicts, in teaching order. */
+    /** This case with verdicts, in teaching order. */
     public HazardCase judged(Map<String, Verdict.Kind> found) {
         return new HazardCase(name, label, special, List.copyOf(found.keySet()), found, show);
     }

@@ -30,7 +30,7 @@ public final class LabLayout extends JPanel {
      */
     public static final int INSPECTOR = 352;
 
-    /** The same where lists stand below their labels. */
+    /** The inspector's width where lists stand below their labels. */
     private static final int STACKED = 336;
 
     private static final String HIDDEN = "Rasterlab.inspectorsHidden";

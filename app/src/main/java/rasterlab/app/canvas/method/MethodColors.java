@@ -97,7 +97,7 @@ public final class MethodColors {
     }
 
     /**
-     * The same with a contrast of at least 4.5, for words and thin lines.
+     * The method's colour with a contrast of at least 4.5, for words and thin lines.
      *
      * <p>Source: W3C, Web Content Accessibility Guidelines 2.1, 2018, 1.4.3.
      */

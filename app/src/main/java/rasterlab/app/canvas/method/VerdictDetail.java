@@ -39,7 +39,7 @@ public final class VerdictDetail {
         return Complaints.said(language, difference(texts, detail, point));
     }
 
-    /** The same on a terminal, with the numbers as one types them. */
+    /** The detail on a terminal, with the numbers as one types them. */
     public static String saidToTypist(Language language, String detail) {
         if (language == Language.ENGLISH) return Complaints.saidToTypist(language, detail);
         Texts texts = Texts.of("canvas", language);

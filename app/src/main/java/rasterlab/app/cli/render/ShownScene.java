@@ -32,7 +32,7 @@ record ShownScene(
     }
 
     /**
-     * The same for an option without a default.
+     * The value of an option without a default.
      *
      * @param value null where the command line has none
      */

@@ -39,7 +39,7 @@ public record ClipStep(
         return new ClipStep(item, WRITTEN, -1, Double.NaN, Passing.NONE, new double[0], left);
     }
 
-    /** The same for a piece of a polygon, whose outline is closed. */
+    /** Writes a piece of a polygon, whose outline is closed. */
     public static ClipStep writtenPiece(double[] piece) {
         double[] around = Arrays.copyOf(piece, piece.length + 2);
         System.arraycopy(piece, 0, around, piece.length, 2);

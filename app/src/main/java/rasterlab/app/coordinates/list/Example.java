@@ -14,7 +14,7 @@ public enum Example {
             ListItem.of("TRANSL2D", 4, 1),
             ListItem.of("ROT2D", 40),
             ListItem.of("SCALE2D", 2, 1)),
-    /** The same matrices the other way round. */
+    /** Matrices of the example above the other way round. */
     OTHER_ORDER(
             Subject.SQUARE,
             ListItem.of("SCALE2D", 2, 1),

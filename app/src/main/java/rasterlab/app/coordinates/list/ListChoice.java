@@ -102,7 +102,7 @@ public record ListChoice(
         return changed(subject, moved, items, selected, method);
     }
 
-    /** The same list, nothing being tried. */
+    /** This list, nothing being tried. */
     ListChoice withoutTrial() {
         return changed(subject, points, items, selected, method);
     }
@@ -130,7 +130,7 @@ public record ListChoice(
                 Optional.of(tried));
     }
 
-    /** The same hazard by another method. */
+    /** This hazard by another method. */
     ListChoice with(Trial tried) {
         return new ListChoice(
                 subject, points, items, selected, reading, method, viewpoint, Optional.of(tried));

@@ -183,7 +183,7 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         return trial;
     }
 
-    /** The same where the stage shows it: once all matrices are done. */
+    /** The trial, where the stage shows it: once all matrices are done. */
     Optional<TrialScene> shownTrial() {
         return trial.filter(known -> step == last());
     }

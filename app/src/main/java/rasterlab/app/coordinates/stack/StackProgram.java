@@ -29,7 +29,7 @@ public enum StackProgram {
     NO_AXIS(List.of(op(ROTATE, 30, 0, 0, 0), op(CUBE))),
     /** Opposite sides that are one. */
     NO_WIDTH(List.of(op(PROJECTION), op(FRUSTUM, 1, 1, -1, 1, 2, 50))),
-    /** The same as it is read: far left, numbers column by column. */
+    /** A matrix as it is read: far left, numbers column by column. */
     LOADED(List.of(op(LOAD, 0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1), op(CUBE)));
 
     private final transient List<StackCommand> commands;

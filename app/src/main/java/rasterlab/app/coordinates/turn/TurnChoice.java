@@ -17,7 +17,7 @@ public record TurnChoice(String method, double degrees, int times, double x, dou
         return turns(times);
     }
 
-    /** The same point after another number of turns. */
+    /** This point after another number of turns. */
     Turns turns(int other) {
         return new Turns(degrees, other, new double[] {x, y});
     }

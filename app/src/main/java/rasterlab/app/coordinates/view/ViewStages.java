@@ -22,7 +22,9 @@ final class ViewStages {
     /** Pixels per unit of the picture plane in a window of 800×600. */
     private static final double NATURAL_SCALE = 2.4;
 
-    /** The same for the course's own scene, which lies below the middle of its picture plane. */
+    /**
+     * Pixels per unit for the course's own scene, which lies below the middle of its picture plane.
+     */
     private static final double NATURAL_SCALE_OF_THE_COURSE = 1.5;
 
     static final double NEAR = 50;

@@ -78,7 +78,7 @@ public record Outcome(
                 Optional.empty());
     }
 
-    /** The same with a point on the topic's chart. */
+    /** This outcome with a point on the topic's chart. */
     public Outcome with(Optional<PublishedSpeed> measured) {
         return new Outcome(
                 source,

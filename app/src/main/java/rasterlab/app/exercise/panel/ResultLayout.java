@@ -21,13 +21,15 @@ final class ResultLayout implements LayoutManager {
     /** The least width of reason and pictures beside the cases, in sizes of the type. */
     private static final int BESIDE = 18;
 
-    /** The same in large type, which is smaller already than that of labels. */
+    /** That least width in large type, which is smaller already than that of labels. */
     private static final int BESIDE_LARGE = 15;
 
     /** The height from which on the cases can stand above the pictures, in sizes of the type. */
     private static final int ABOVE = 16;
 
-    /** The same in large type, beside which half a row more counts for less than all verdicts. */
+    /**
+     * That height in large type, beside which half a row more counts for less than all verdicts.
+     */
     private static final int ABOVE_LARGE = 11;
 
     /** Reason and buttons below the cases have so many tenths of the width. */

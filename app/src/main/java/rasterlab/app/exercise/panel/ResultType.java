@@ -15,7 +15,10 @@ final class ResultType {
 
     private static final int WIDE = 54;
 
-    /** The same with the pictures below, where fewer cases are in sight. */
+    /**
+     * Sizes that it is high and wide at least with the pictures below, where fewer cases are in
+     * sight.
+     */
     private static final int HIGH_ABOVE = 18;
 
     private static final int WIDE_ABOVE = 36;

@@ -106,7 +106,7 @@ final class LitInputs {
         return Arrays.stream(shares).min().orElseThrow();
     }
 
-    /** The same for a point that rounding brought over an edge. */
+    /** The shares, for a point that rounding brought over an edge. */
     private static double[] inside(double[] shares) {
         double a = Math.max(0, Math.min(1, shares[0]));
         double b = Math.max(0, Math.min(1 - a, shares[1]));

@@ -92,7 +92,7 @@ public record GlChoice(
         return GlName.valueOf(options.get(setting));
     }
 
-    /** The same with another option; a scene comes with a material and a texture, or without. */
+    /** This state with another option; a scene comes with a material and a texture, or without. */
     public GlChoice with(Setting setting, String option) {
         var next = new EnumMap<>(options);
         next.put(setting, option);
@@ -104,7 +104,7 @@ public record GlChoice(
         return new GlChoice(next, turn, tilt, distance, file);
     }
 
-    /** The same with an image as its texture, switched on. */
+    /** This state with an image as its texture, switched on. */
     public GlChoice withFile(ImageTexture image) {
         var next = new EnumMap<>(options);
         next.put(Setting.IMAGE, "file");
@@ -113,7 +113,7 @@ public record GlChoice(
     }
 
     /**
-     * The same with an image that was opened before, and all else as it is.
+     * This state with an image that was opened before, and all else as it is.
      *
      * @param shown whether it is the texture
      */
@@ -123,7 +123,7 @@ public record GlChoice(
         return new GlChoice(next, turn, tilt, distance, Optional.of(image));
     }
 
-    /** The same with the lab's first image where a file is the texture. */
+    /** This state with the lab's first image where a file is the texture. */
     public GlChoice withoutFile() {
         var next = new EnumMap<>(options);
         if (is(Setting.IMAGE, "file")) next.put(Setting.IMAGE, Setting.IMAGE.options().get(0));

@@ -31,7 +31,7 @@ public record GlShape(
         return lines ? GlName.GL_LINES : GlName.GL_TRIANGLES;
     }
 
-    /** The same shape made smaller and moved. */
+    /** This shape made smaller and moved. */
     GlShape scaledTo(double radius, double x, double y, double z) {
         float[] moved = new float[xyz.length];
         for (int i = 0; i < xyz.length; i += 3) {

@@ -76,7 +76,7 @@ public final class LabModels implements AutoCloseable {
         return first(EventQueue::invokeLater, onFailure);
     }
 
-    /** The same with other events than the window's. */
+    /** Every lab as it opens, made, with other events than the window's. */
     public static LabModels first(Executor events, Consumer<Throwable> onFailure) {
         LabModels models = unmade(events, kept -> {}, onFailure);
         models.makeAll();

@@ -81,7 +81,7 @@ public final class SpeedChart {
         return new FrontChart(study, WORKLOAD, words, paper);
     }
 
-    /** The same for people who do not see it: each method with its time and its error. */
+    /** The chart for people who do not see it: each method with its time and its error. */
     public String inWords() {
         List<Measurement> points = study.measurements();
         return words.costAxis(study)

@@ -26,7 +26,7 @@ public final class Cameras {
         return new SphericalView(camera.thetaRadians(), camera.phiRadians(), rho);
     }
 
-    /** The same angle in [0, 2π). */
+    /** The angle in [0, 2π). */
     private static double wrapped(double radians) {
         double turn = 2 * Math.PI;
         double rest = radians - turn * Math.floor(radians / turn);

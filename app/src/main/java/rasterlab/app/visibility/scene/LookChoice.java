@@ -191,7 +191,7 @@ public record LookChoice(
         return new DrawnDepths(near > 0 ? near * rho : all.near(), far * rho);
     }
 
-    /** The same parts, to be changed one by one. */
+    /** Parts of a look, to be changed one by one. */
     private static final class Draft {
         private TextureMode texture;
         private TextureChange change;

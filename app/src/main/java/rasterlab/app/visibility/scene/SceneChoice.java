@@ -55,7 +55,7 @@ public record SceneChoice(
                 Optional.empty());
     }
 
-    /** The same scene, which shows that input of a topic. */
+    /** This scene, which shows that input of a topic. */
     SceneChoice showing(Object input) {
         return new SceneChoice(name, file, image, scene, up, known, Optional.of(input));
     }

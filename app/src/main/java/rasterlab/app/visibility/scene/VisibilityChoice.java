@@ -115,14 +115,14 @@ public record VisibilityChoice(
         return draft.choice();
     }
 
-    /** The same, whose scene shows that input of a topic. */
+    /** This choice, whose scene shows that input of a topic. */
     public VisibilityChoice showing(Object input) {
         var draft = new Draft(this);
         draft.shown = shown.showing(input);
         return draft.choice();
     }
 
-    /** The same with a scene of the lab in the place of one that no name brings back. */
+    /** This choice with a scene of the lab in the place of one that no name brings back. */
     public VisibilityChoice withoutFiles() {
         return shown.known() ? this : alike(shown.withoutFiles().orElse(first().shown));
     }
@@ -186,7 +186,7 @@ public record VisibilityChoice(
         return draft.choice();
     }
 
-    /** The same in the scene's own colours, where the vase's greys are chosen. */
+    /** This choice in the scene's own colours, where the vase's greys are chosen. */
     VisibilityChoice inColors() {
         return shading.equals(VASE_TONES) ? withShading(OWN_COLORS) : this;
     }
@@ -278,7 +278,7 @@ public record VisibilityChoice(
         return plain(visibility, width, height);
     }
 
-    /** The same by another method. */
+    /** The request for another method. */
     public RenderRequest plain(String method, int width, int height) {
         Scene zoomed = look.change().of(shown.scene().zoomed(zoom));
         Projection chosen = Projection.named(projection);
@@ -292,7 +292,7 @@ public record VisibilityChoice(
                 look.look(known(method), ShadingMethod.named(shading), chosen, camera.rho()));
     }
 
-    /** The same parts, to be changed one by one. */
+    /** Parts of a choice, to be changed one by one. */
     private static final class Draft {
         private SceneChoice shown;
         private String visibility;

@@ -87,7 +87,7 @@ class FileDropTest {
         assertEquals(Optional.empty(), FileDrop.around(new TransferSupport(inner, named(files))));
     }
 
-    /** The same files, as file managers copy them: with their names as text. */
+    /** Files as file managers copy them: with their names as text. */
     private static Transferable named(Transferable files) {
         return new StringSelection("a.obj") {
             @Override

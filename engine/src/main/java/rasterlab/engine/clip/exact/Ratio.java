@@ -35,7 +35,7 @@ record Ratio(BigInteger over, BigInteger under) implements Comparable<Ratio> {
         return new Ratio(over.divide(shared), under.divide(shared));
     }
 
-    /** The same where {@code under} is a power of two, as of all doubles: without dividing. */
+    /** The fraction where {@code under} is a power of two, as of all doubles: without dividing. */
     private static Ratio shifted(BigInteger over, BigInteger under) {
         int shared = under.getLowestSetBit();
         if (over.signum() != 0) shared = Math.min(shared, over.getLowestSetBit());

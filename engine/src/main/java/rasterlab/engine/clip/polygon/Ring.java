@@ -130,7 +130,7 @@ public record Ring(double[] xy) {
         return lowest;
     }
 
-    /** The same corners the other way round, the first staying first. */
+    /** These corners the other way round, the first staying first. */
     Ring reversed() {
         var other = new double[xy.length];
         for (int i = 0; i < size(); i++) {

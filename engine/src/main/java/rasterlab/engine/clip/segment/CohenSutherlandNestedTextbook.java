@@ -1,8 +1,8 @@
 package rasterlab.engine.clip.segment;
 
 /**
- * The other course text's listing, in real numbers, as printed, kept to be looked at beside {@link
- * CohenSutherland}.
+ * The listing of the course's other text, in real numbers, as printed, kept to be looked at beside
+ * {@link CohenSutherland}.
  *
  * <p>Within the branch for "below" the cut at the bottom hangs on a second test for "above", which
  * never holds there, and the branches for right and left hang on that test's else: an end below but

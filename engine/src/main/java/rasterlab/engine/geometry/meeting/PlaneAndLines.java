@@ -57,7 +57,7 @@ public record PlaneAndLines(
         return new Line(vector(from[index]), vector(through[index]));
     }
 
-    /** The same where its points are no farther apart than a double tells. */
+    /** The line where its points are no farther apart than a double tells. */
     Optional<Line> lineWithin(int index) {
         double apart = 0;
         for (int axis = 0; axis < 3; axis++)

@@ -5,7 +5,7 @@ import rasterlab.engine.geometry.Expansion;
 import rasterlab.engine.geometry.Finite;
 
 /**
- * The same formula with both sums kept without error: μ = (c − n·p₁) / (n·p₂ − n·p₁), or μ = (n·a −
+ * The formula with both sums kept without error: μ = (c − n·p₁) / (n·p₂ − n·p₁), or μ = (n·a −
  * n·p₁) / (n·p₂ − n·p₁) where a point a of the plane is known.
  *
  * <p>Only the two sums and their quotient are rounded, so μ is off by at most 4·2⁻⁵³ of itself and

@@ -40,7 +40,7 @@ final class FaceSamples {
                 new double[] {0.2, 0.2, 0.2});
     }
 
-    /** The same share of every colour. */
+    /** A material that reflects one share of every colour. */
     static SurfaceMaterial gray(double diffuse, double specular, double shininess) {
         double[] d = {diffuse, diffuse, diffuse};
         double[] s = {specular, specular, specular};

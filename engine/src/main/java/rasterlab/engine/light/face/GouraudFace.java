@@ -17,7 +17,7 @@ final class GouraudFace implements SteppedFace {
         this(Reflection.PHONG);
     }
 
-    /** The same with another formula. */
+    /** Makes Gouraud shading with another formula. */
     GouraudFace(Reflection reflection) {
         formula = new FormulaShader(reflection);
     }

@@ -123,7 +123,7 @@ final class GouraudMutants {
         return all;
     }
 
-    /** The same mixture of the corners' intensities at every point. */
+    /** One mixture of the corners' intensities at every point. */
     private static FaceShader everywhere(double a, double b, double c) {
         return (face, weights) -> {
             var same = weights.clone();

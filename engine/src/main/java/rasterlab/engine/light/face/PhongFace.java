@@ -18,7 +18,7 @@ final class PhongFace implements SteppedFace {
         this(Reflection.PHONG);
     }
 
-    /** The same with another formula. */
+    /** Makes Phong shading with another formula. */
     PhongFace(Reflection reflection) {
         formula = new FormulaShader(reflection);
     }

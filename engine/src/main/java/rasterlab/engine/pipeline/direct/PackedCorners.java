@@ -151,7 +151,7 @@ final class PackedCorners {
         return mesh.hasColors() ? colored(packed) : packed;
     }
 
-    /** The same with the corners' own colours, opaque. */
+    /** The mesh with the corners' own colours, opaque. */
     private TriangleMesh colored(TriangleMesh packed) {
         float[][] rgb = new float[3][count];
         for (int c = 0; c < 3; c++)

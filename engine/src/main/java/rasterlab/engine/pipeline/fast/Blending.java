@@ -20,7 +20,7 @@ public record Blending(int leastAlpha, boolean mixed, boolean writesDepth, boole
     /** Lets what is behind shine through, and hides what comes later and is farther. */
     public static final Blending OVER = new Blending(0, true, true, true);
 
-    /** The same, but hides nothing that comes later. */
+    /** Lets what is behind shine through, and hides nothing that comes later. */
     public static final Blending GLASS = new Blending(0, true, false, true);
 
     public Blending {
@@ -31,18 +31,19 @@ public record Blending(int leastAlpha, boolean mixed, boolean writesDepth, boole
             throw new IllegalArgumentException("depth that is not tested must not be written");
     }
 
-    /** The same with the alpha test. */
+    /** This blending with the alpha test. */
     public Blending dropBelow(int alpha) {
         return new Blending(alpha, mixed, writesDepth, testsDepth);
     }
 
-    /** The same without a trace in the depths. */
+    /** This blending without a trace in the depths. */
     public Blending withoutWriting() {
         return new Blending(leastAlpha, mixed, false, testsDepth);
     }
 
     /**
-     * The same over everything that is there, in the mesh's order, without a trace in the depths.
+     * This blending over everything that is there, in the mesh's order, without a trace in the
+     * depths.
      */
     public Blending withoutDepth() {
         return new Blending(leastAlpha, mixed, false, false);

@@ -25,7 +25,7 @@ public sealed interface Surface {
             this(colors, new Smooth(VertexColors.own()), Blending.OPAQUE);
         }
 
-        /** The same over the colours of another surface. */
+        /** This surface over the colours of another surface. */
         public PerPixel over(OfVertices other) {
             return new PerPixel(colors, other, blending);
         }

@@ -140,7 +140,7 @@ public final class FaceLights {
         return all;
     }
 
-    /** The same for some faces; the others stay 0. */
+    /** The light at the middles of some faces; the others stay 0. */
     public int[] atMiddles(boolean[] wanted) {
         Mesh mesh = mesh();
         PointLighting[] own = forThread();
@@ -160,7 +160,7 @@ public final class FaceLights {
         return argb;
     }
 
-    /** The same where corners have colours: their mean is the face's. */
+    /** The light at the middles where corners have colours: their mean is the face's. */
     private int[] tintedMiddles(int[] argb, PointLighting[] own) {
         Mesh mesh = mesh();
         var rgba = new float[4];
@@ -201,7 +201,7 @@ public final class FaceLights {
         return atCorners(all());
     }
 
-    /** The same for some faces; the corners of the others stay 0. */
+    /** The light at the corners of some faces; the corners of the others stay 0. */
     public float[] atCorners(boolean[] wanted) {
         Mesh mesh = mesh();
         PointLighting[] own = forThread();

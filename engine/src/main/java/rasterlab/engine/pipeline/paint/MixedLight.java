@@ -24,7 +24,8 @@ public final class MixedLight {
     }
 
     /**
-     * The same for every eye whose direction from a face differs by at most {@code turn} radians.
+     * Makes the light for every eye whose direction from a face differs by at most {@code turn}
+     * radians.
      */
     public MixedLight(FaceLights lights, double levels, double turn) {
         this.lights = lights;

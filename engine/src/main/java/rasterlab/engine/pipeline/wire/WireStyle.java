@@ -18,7 +18,7 @@ public record WireStyle(HiddenLines hidden, double creaseDegrees) {
                     "crease must be from 0 to 180 degrees, got " + creaseDegrees);
     }
 
-    /** The same with every part of every edge. */
+    /** This style with every part of every edge. */
     public WireStyle withoutHiding() {
         return new WireStyle(HiddenLines.SHOWN, creaseDegrees);
     }

@@ -13,7 +13,7 @@ import rasterlab.engine.predicate.Spacing;
 final class TriangleQuestion implements PointQuestion<ShapeAndPoints, Membership> {
     private static final Points TRIANGLE = Points.of(-23.5, -35.5, 12.5, -35.5, 12.5, 18.5);
 
-    /** The same in whole numbers whose cross products are beyond an int. */
+    /** A triangle in whole numbers whose cross products are beyond an int. */
     private static final Points LARGE = TRIANGLE.scaled(4096);
 
     /** The point at half, in the large triangle. */

@@ -13,7 +13,7 @@ public record Span(double from, double to, boolean round) {
         return new Span(0, TURN, true);
     }
 
-    /** The same direction with 2π as 0, so that both sides of a seam are bit-equal. */
+    /** The direction with 2π as 0, so that both sides of a seam are bit-equal. */
     static double direction(double angle) {
         return angle == TURN ? 0 : angle;
     }

@@ -79,7 +79,7 @@ final class ParabolaSteps {
     }
 
     /**
-     * The same where they have but a share of the flatness.
+     * The number of steps where they have but a share of the flatness.
      *
      * @param share above 0, at most 1
      */

@@ -51,7 +51,7 @@ public final class PiecewiseCubic {
         return values;
     }
 
-    /** The same, whatever comes out: NaN and infinities as well. */
+    /** The values, whatever comes out: NaN and infinities as well. */
     double[] unchecked(double[] places) {
         return Arrays.stream(places).map(this::at).toArray();
     }

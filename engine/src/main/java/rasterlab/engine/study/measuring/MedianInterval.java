@@ -76,7 +76,7 @@ public record MedianInterval(double low, double median, double high) {
         return Math.max(high / median, median / low);
     }
 
-    /** The same median, off by at least so many times. */
+    /** This median, off by at least so many times. */
     public MedianInterval widened(double factor) {
         return new MedianInterval(
                 Math.min(low, median / factor), median, Math.max(high, median * factor));

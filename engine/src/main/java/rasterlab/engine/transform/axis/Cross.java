@@ -12,7 +12,7 @@ final class Cross {
         return a[j] * b[k] - a[k] * b[j];
     }
 
-    /** The same, counted. */
+    /** One component of the cross product, with its operations counted. */
     static double of(CountingArithmetic on, double[] a, double[] b, int i) {
         int j = i == 2 ? 0 : i + 1;
         int k = i == 0 ? 2 : i - 1;

@@ -21,7 +21,7 @@ record DoubleDouble(double high, double low) {
         return new DoubleDouble(high, (a - (high - shadow)) + (b - shadow));
     }
 
-    /** The same where |a| ≥ |b| or a is 0. */
+    /** The sum where |a| ≥ |b| or a is 0. */
     private static DoubleDouble quickSum(double a, double b) {
         double high = a + b;
         return new DoubleDouble(high, b - (high - a));

@@ -3,7 +3,7 @@ package rasterlab.engine.transform.chain;
 import rasterlab.contract.PointTransformer;
 
 /**
- * The same with numbers of two doubles each: half of the digits may cancel and an image is still
+ * Transforms with numbers of two doubles each: half of the digits may cancel and an image is still
  * right to its last bit.
  *
  * <p>Source: T. J. Dekker, A floating-point technique for extending the available precision,

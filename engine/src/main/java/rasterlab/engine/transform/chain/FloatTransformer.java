@@ -3,7 +3,7 @@ package rasterlab.engine.transform.chain;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.transform.Coordinates;
 
-/** The same in float, as graphics hardware does it: 24 bits instead of 53. */
+/** Transforms in float, as graphics hardware does it: 24 bits instead of 53. */
 final class FloatTransformer implements PointTransformer {
     private static final double SMALLEST = 0x1p-110;
 

@@ -38,7 +38,7 @@ final class ZBuffer implements SteppedVisibility {
         this.format = format;
     }
 
-    /** The same method with buffers of its own. */
+    /** This method with buffers of its own. */
     ZBuffer alone() {
         return new ZBuffer(format);
     }

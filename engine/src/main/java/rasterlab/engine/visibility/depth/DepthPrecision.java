@@ -95,7 +95,7 @@ public final class DepthPrecision {
         return (cell.to - cell.from) * deep * from * to;
     }
 
-    /** The same of 1 − w. */
+    /** The step of 1 − w. */
     private static double reversedStep(Cell cell, double ratio) {
         double deep = 1 - 1 / ratio;
         double from = 1 / (1 / ratio + cell.to * deep);

@@ -22,7 +22,7 @@ record Form<S extends Scalar<S>>(S base, S perColumn, S perRow) {
         return new Form<>(base.times(factor), perColumn.times(factor), perRow.times(factor));
     }
 
-    /** The same with another constant. */
+    /** This form with another constant. */
     Form<S> plus(S constant) {
         return new Form<>(base.plus(constant), perColumn, perRow);
     }

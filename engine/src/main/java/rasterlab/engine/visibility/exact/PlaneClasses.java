@@ -106,8 +106,8 @@ final class PlaneClasses {
     }
 
     /**
-     * The same number for a plane and for it turned round, near ones for near planes: normals
-     * within {@link #ONE_NORMAL} move the offset by up to 3 of it, as a share of the extent.
+     * One number for a plane and for it turned round, near ones for near planes: normals within
+     * {@link #ONE_NORMAL} move the offset by up to 3 of it, as a share of the extent.
      */
     private double key(int face, double extent) {
         int v = mesh.corner(face, 0);

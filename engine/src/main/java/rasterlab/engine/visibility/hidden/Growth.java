@@ -59,7 +59,7 @@ public record Growth(String method, Axis axis, int[] sizes, long[] work) {
     }
 
     /**
-     * The same, told how far it is.
+     * All methods on all three axes, told how far it is.
      *
      * @param progress gets the share that is done, 0 to 1, after each method on each axis
      * @throws CancellationException soon after {@code cancelled} says true

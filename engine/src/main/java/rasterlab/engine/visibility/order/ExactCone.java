@@ -60,7 +60,7 @@ final class ExactCone {
         return new ExactCone(left);
     }
 
-    /** The same ray in smaller numbers. */
+    /** The ray in smaller numbers. */
     private static BigInteger[] reduced(BigInteger[] ray) {
         BigInteger shared = ray[0].gcd(ray[1]).gcd(ray[2]);
         if (shared.signum() == 0) return ray;

@@ -17,8 +17,8 @@ public interface SteppedOrder extends DepthOrder {
     }
 
     /**
-     * The same, of which the caller may tire, and out of range too: what is seen in pixels may be
-     * right where the whole of it is not.
+     * A walk of which the caller may tire, for polygons out of range too: what is seen in pixels
+     * may be right where the whole of it is not.
      *
      * @param pulse run now and then, before the first step too; what it throws ends the work
      */

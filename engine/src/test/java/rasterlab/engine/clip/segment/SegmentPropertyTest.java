@@ -85,7 +85,7 @@ class SegmentPropertyTest {
         }
     }
 
-    /** The same sides come in another order when they are mirrored and transposed. */
+    /** Sides come in another order when they are mirrored and transposed. */
     @Property(tries = TRIES)
     void theOrderOfTheSidesIsIrrelevant(
             @ForAll("windows") ClipWindow w, @ForAll("segments") double[] s) {

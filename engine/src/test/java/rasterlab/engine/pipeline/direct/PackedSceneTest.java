@@ -70,7 +70,7 @@ class PackedSceneTest {
     }
 
     /**
-     * The same mesh under one lamp, which lights backs as it does fronts, in stripes.
+     * The mesh under one lamp, which lights backs as it does fronts, in stripes.
      *
      * @param first which of two colours face 0 has
      */

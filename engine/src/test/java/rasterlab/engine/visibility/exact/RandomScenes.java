@@ -28,7 +28,7 @@ final class RandomScenes {
     enum Kind {
         /** Squares and triangles in one plane, turned and moved. */
         ONE_PLANE,
-        /** The same with some 2⁻³⁴ of their size above it: near, but not in it. */
+        /** Squares and triangles near one plane, some by 2⁻³⁴ of their size above it. */
         SHEETS,
         /** Two such planes, and triangles through them. */
         CROSSED,

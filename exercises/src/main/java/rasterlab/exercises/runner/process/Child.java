@@ -83,7 +83,7 @@ public final class Child implements AutoCloseable {
         return processorTime.used();
     }
 
-    /** The same with a limit of wall time alone. */
+    /** Asks the child with a limit of wall time alone. */
     public <T> T ask(Request request, Duration wall, PayloadReader<T> reading)
             throws ChildLost, InterruptedException {
         return ask(request, TimeLimit.wall(wall), reading);

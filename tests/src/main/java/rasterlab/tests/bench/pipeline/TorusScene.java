@@ -100,12 +100,12 @@ record TorusScene(int triangles, int width, int height) {
                 Optional.empty());
     }
 
-    /** The same torus as triangles that share vertices. */
+    /** The torus as triangles that share vertices. */
     TriangleMesh mesh() {
         return grid().mesh();
     }
 
-    /** The same with colours of its own, for the pipeline beside itself. */
+    /** The torus with colours of its own, for the pipeline beside itself. */
     TriangleMesh colored() {
         return grid().colored();
     }
@@ -114,7 +114,7 @@ record TorusScene(int triangles, int width, int height) {
         return new TorusGrid(TORUS, rings(), sides(triangles));
     }
 
-    /** The same, the pairs of triangles farthest from the eye first. */
+    /** The torus, the pairs of triangles farthest from the eye first. */
     TriangleMesh farthestFirst() {
         return grid().farthestFirst(turned());
     }
