@@ -50,11 +50,12 @@ final class SignPainter {
     BufferedImage image(SignMap map, int dots) {
         int size = dots * map.size();
         var image = new BufferedImage(size, size, BufferedImage.TYPE_INT_RGB);
-        for (int y = 0; y < size; y++)
-            for (int x = 0; x < size; x++) {
-                int row = map.size() - 1 - y / dots;
-                image.setRGB(x, y, color(map, x / dots, row, x, y).getRGB());
-            }
+        var row = new int[size];
+        for (int y = 0; y < size; y++) {
+            for (int x = 0; x < size; x++)
+                row[x] = color(map, x / dots, map.size() - 1 - y / dots, x, y).getRGB();
+            image.setRGB(0, y, size, 1, row, 0, size);
+        }
         return image;
     }
 

@@ -11,6 +11,14 @@ import java.util.Optional;
  * within. Works in any number of dimensions. Shares no code with the methods it judges.
  */
 public final class ExactClip {
+    private static final int CORNERS = 4;
+
+    /** Share of two products; rounding changes their difference by less. */
+    private static final double ROUNDED = 1e-15;
+
+    /** Bound of all that underflow changes. */
+    private static final double LEAST = 1e-290;
+
     private static final Ratio ONE = Ratio.of(1);
     private static final Ratio MINUS_ONE = Ratio.of(-1);
 
@@ -29,9 +37,32 @@ public final class ExactClip {
         return clip(borders(window), ends);
     }
 
-    /** Whether {@link #plane} leaves anything; sooner told than what is left. */
+    /**
+     * Whether {@link #plane} leaves anything. It does unless a line parts the two: a border of the
+     * window, or the segment's own line with all corners on one side.
+     */
     public static boolean meets(double[] window, double[] ends) {
-        return finite(ends) && left(borders(window), ends).isPresent();
+        if (!finite(ends)) return false;
+        for (int axis = 0; axis < 2; axis++)
+            if (Math.max(ends[axis], ends[axis + 2]) < window[axis]
+                    || Math.min(ends[axis], ends[axis + 2]) > window[axis + 2]) return false;
+        int sides = 0;
+        for (int corner = 0; corner < CORNERS; corner++)
+            sides += side(ends, window[corner < 2 ? 0 : 2], window[corner % 2 == 0 ? 1 : 3]);
+        return Math.abs(sides) < CORNERS;
+    }
+
+    /** The side of the segment's line that a point lies on: 1 to its left, −1, or 0 on it. */
+    private static int side(double[] ends, double x, double y) {
+        double left = (ends[2] - ends[0]) * (y - ends[1]);
+        double right = (ends[3] - ends[1]) * (x - ends[0]);
+        if (Math.abs(left - right) > ROUNDED * (Math.abs(left) + Math.abs(right)) + LEAST)
+            return left > right ? 1 : -1;
+        Ratio[] from = point(ends, 0, 2);
+        Ratio[] to = point(ends, 2, 2);
+        Ratio up = Ratio.of(y).minus(from[1]);
+        Ratio across = Ratio.of(x).minus(from[0]);
+        return to[0].minus(from[0]).times(up).compareTo(to[1].minus(from[1]).times(across));
     }
 
     private static Ratio[][] borders(double[] window) {
