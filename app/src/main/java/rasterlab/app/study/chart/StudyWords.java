@@ -291,9 +291,9 @@ public final class StudyWords {
         return best + texts.text("input.note");
     }
 
-    /** The sign for a method that has no answer, or items that are not the right ones. */
-    public String failedShort() {
-        return texts.text("input.failed");
+    /** The sign for methods that refuse, crash or come to no end. */
+    public String noAnswerShort() {
+        return texts.text("input.noAnswer");
     }
 
     public String sizeAxis(Study study) {

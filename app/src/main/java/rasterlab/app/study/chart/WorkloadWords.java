@@ -1,5 +1,6 @@
 package rasterlab.app.study.chart;
 
+import java.text.NumberFormat;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -15,9 +16,19 @@ import rasterlab.app.language.Texts;
 record WorkloadWords(Texts texts) {
     private static final Pattern NUMBER = Pattern.compile("-(\\d{1,9})(?=-|$)");
 
+    /** A number of five digits or more, in which every third is set apart. */
+    private static final Pattern LONG = Pattern.compile("\\d{5,}");
+
     /** The words for the input of methods; the name itself where it has none. */
     String workload(String topic, String name) {
-        return said("workload", topic, name);
+        String said = said("workload", topic, name);
+        return said.equals(name) ? name : grouped(said);
+    }
+
+    private String grouped(String words) {
+        NumberFormat groups = NumberFormat.getIntegerInstance(texts.locale());
+        return LONG.matcher(words)
+                .replaceAll(number -> groups.format(Long.parseLong(number.group())));
     }
 
     /** The size with what it counts, short enough to stand beside a point of a chart. */

@@ -106,8 +106,11 @@ public final class ErrorByInputChart implements StudyPicture {
         if (errors.isEmpty()) frame.wordsUp(words.errorAxis(study));
         else frame.axisUp(up, words.errorAxis(study));
         frame.besideLeft(words.exactShort(), (exact + plot.getMaxY()) / 2);
-        if (failed > plot.getMinY())
-            frame.besideLeft(words.failedShort(), (failed + plot.getMinY()) / 2);
+        List<String> above = wordsAbove();
+        for (int i = 0; i < above.size(); i++)
+            frame.besideLeft(
+                    above.get(i),
+                    plot.getMinY() + (failed - plot.getMinY()) * (i + 0.5) / above.size());
         strips(graphics, across, plot);
         var labels = new ArrayList<LeaderColumn.Label>();
         for (String method : methods())
@@ -129,6 +132,15 @@ public final class ErrorByInputChart implements StudyPicture {
                                                                             ParetoFront.error(
                                                                                     one))))));
         MethodLines.name(graphics, labels, plot);
+    }
+
+    /** The meaning of the row of failures: each kind that there is. */
+    private List<String> wordsAbove() {
+        var said = new ArrayList<String>();
+        if (points.stream().anyMatch(one -> isEndless(one) && !isFailed(one)))
+            said.add(words.notRightShort());
+        if (points.stream().anyMatch(ErrorByInputChart::isFailed)) said.add(words.noAnswerShort());
+        return said;
     }
 
     private List<Point2D> places(String method, Function<Measurement, Point2D> place) {

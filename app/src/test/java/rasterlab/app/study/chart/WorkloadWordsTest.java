@@ -67,6 +67,16 @@ class WorkloadWordsTest {
     }
 
     @Test
+    @DisplayName("the digits of a large workload run together")
+    void largeNumbersAreGrouped() {
+        var english = new WorkloadWords(Texts.of("study", Language.ENGLISH));
+        assertEquals("10,000,000 turns of a point", english.workload("rotate", "turns-10000000"));
+        assertEquals("9999 turns of a point", english.workload("rotate", "turns-9999"));
+        var russian = new WorkloadWords(Texts.of("study", Language.RUSSIAN));
+        assertEquals("10\u00a0000 поворотов точки", russian.workload("rotate", "turns-10000"));
+    }
+
+    @Test
     @DisplayName("a workload that has no words is not shown at all")
     void unknownWorkloadsKeepTheirName() {
         var english = new WorkloadWords(Texts.of("study", Language.ENGLISH));
