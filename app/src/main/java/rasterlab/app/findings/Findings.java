@@ -30,6 +30,7 @@ import rasterlab.engine.study.StudyRunner;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.measuring.Machine;
 
 /** Measures topics and writes what was found: a folder of pages, charts and numbers. */
 public final class Findings {
@@ -112,7 +113,7 @@ public final class Findings {
 
     /** The settings, language and machine that pages beside each other have in common. */
     private String shared() {
-        return settings + ", " + language + ", " + StudyFile.machine();
+        return settings + ", " + language + ", " + Machine.here().described();
     }
 
     /** The options that repeat these settings. */

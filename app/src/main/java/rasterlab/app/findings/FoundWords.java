@@ -14,7 +14,6 @@ import java.util.stream.Stream;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.HazardMatrix;
-import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.study.Circumstances;
@@ -79,7 +78,7 @@ final class FoundWords {
         return texts.text(
                 study.isBusy() ? "how.busy" : "how.measured",
                 Findings.begun(how),
-                StudyFile.machine(),
+                how.machine().described(),
                 String.format(texts.locale(), "%.1f", Math.max(0, how.loadBefore())),
                 study.isBusy()
                         ? (Object) Math.round(study.noise())

@@ -31,7 +31,7 @@ final class KeptStudies {
      */
     void keep(Study study) {
         WholeFile.requireFolder(folder);
-        WholeFile.write(file(study.topic()), StudyJson.of(withoutOwn(study), Machine.here()));
+        WholeFile.write(file(study.topic()), StudyJson.of(withoutOwn(study)));
     }
 
     /** The study without the user's own program. */

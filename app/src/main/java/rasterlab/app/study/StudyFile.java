@@ -40,7 +40,7 @@ public enum StudyFile {
     JSON {
         @Override
         byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
-            return StudyJson.of(study, Machine.here());
+            return StudyJson.of(study);
         }
     };
 
@@ -98,12 +98,6 @@ public enum StudyFile {
     public static void write(
             Study study, StudyPlot plot, boolean counted, Path file, Language language) {
         WholeFile.write(file, named(file).content(study, plot, counted, language));
-    }
-
-    /** The machine that studies are measured on here, in one line. */
-    public static String machine() {
-        Machine here = Machine.here();
-        return here.processor() + ", " + here.system() + ", Java " + here.java();
     }
 
     private static Study shown(Study study, boolean counted) {

@@ -21,6 +21,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Ranking;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.measuring.Machine;
 import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.engine.study.measuring.PaceComparison;
 import rasterlab.engine.study.measuring.PowerFit;
@@ -33,23 +34,22 @@ final class StudyJson {
         this.json = json;
     }
 
-    static byte[] of(Study study, Machine machine) {
+    static byte[] of(Study study) {
         var bytes = new ByteArrayOutputStream();
         try (JsonGenerator json = new JsonFactory().createGenerator(bytes)) {
             json.useDefaultPrettyPrinter();
-            new StudyJson(json).write(study, machine);
+            new StudyJson(json).write(study);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
         return bytes.toByteArray();
     }
 
-    private void write(Study study, Machine machine) throws IOException {
+    private void write(Study study) throws IOException {
         json.writeStartObject();
         json.writeStringField("topic", study.topic());
         json.writeStringField("item", study.item());
         json.writeStringField("errorUnit", study.errorUnit());
-        write(machine);
         if (study.circumstances().isPresent()) write(study, study.circumstances().get());
         json.writeArrayFieldStart("measurements");
         for (Measurement measured : study.measurements())
@@ -80,6 +80,7 @@ final class StudyJson {
     }
 
     private void write(Study study, Circumstances how) throws IOException {
+        write(how.machine());
         StudySettings settings = how.settings();
         json.writeStringField("date", how.begun().toString());
         json.writeBooleanField("whole", how.whole());

@@ -18,6 +18,7 @@ import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.measuring.Machine;
 import rasterlab.exercises.json.JsonText;
 import rasterlab.exercises.json.NotJson;
 
@@ -64,6 +65,7 @@ final class StudyReading {
             return new Circumstances(
                     settings(root.required("settings"), root.required("seed").asLong()),
                     Instant.parse(root.required("date").asText()),
+                    machine(root.required("machine")),
                     number(root.required("load").required("before")),
                     number(root.required("load").required("after")),
                     fixed,
@@ -71,6 +73,15 @@ final class StudyReading {
         } catch (DateTimeException e) {
             throw new IllegalArgumentException(e.getMessage(), e);
         }
+    }
+
+    private static Machine machine(JsonNode node) {
+        return new Machine(
+                node.required("system").asText(),
+                node.required("processor").asText(),
+                node.required("cores").asInt(),
+                node.required("heapBytes").asLong(),
+                node.required("java").asText());
     }
 
     private static StudySettings settings(JsonNode node, long seed) {

@@ -24,6 +24,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.measuring.Machine;
 import rasterlab.engine.transform.view.ViewTopic;
 
 class FoundWordsTest {
@@ -178,6 +179,7 @@ class FoundWordsTest {
                 new Circumstances(
                         StudySettings.quick(),
                         Instant.parse("2026-11-28T02:30:00Z"),
+                        Machine.here(),
                         1.2,
                         3.5,
                         Map.of("points-16", List.of(1.0, 1.0, slowest, slowest, slowest)),

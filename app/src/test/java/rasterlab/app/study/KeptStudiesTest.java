@@ -25,6 +25,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.measuring.Machine;
 
 class KeptStudiesTest {
     private static final LineTopic LINE = new LineTopic();
@@ -48,6 +49,7 @@ class KeptStudiesTest {
                 new Circumstances(
                         StudySettings.quick(),
                         Instant.parse("2026-11-28T02:30:00Z"),
+                        new Machine("Linux 6", "Z80", 1, 65_536, "17.0.1"),
                         1.2,
                         3.5,
                         Map.of(LINE.workloads().get(0).name(), List.of(1.0, 1.1)),
@@ -100,12 +102,16 @@ class KeptStudiesTest {
     }
 
     @Test
-    void dateAndLoadOfTheMachineAreSaid() {
+    void dateMachineAndItsLoadAreSaid() {
         String english = new StudyWords(Language.ENGLISH).measuredOn(study()).orElseThrow();
         assertTrue(english.startsWith("Measured on "), english);
-        assertTrue(english.endsWith("; load of the machine 1.2 before, 3.5 after."), english);
+        assertTrue(
+                english.endsWith("; Z80, 1 core; load of the machine 1.2 before, 3.5 after."),
+                english);
         String russian = new StudyWords(Language.RUSSIAN).measuredOn(study()).orElseThrow();
         assertTrue(russian.startsWith("Измерено "), russian);
-        assertTrue(russian.endsWith("; загрузка машины до измерения 1,2, после 3,5."), russian);
+        assertTrue(
+                russian.endsWith("; Z80, ядер: 1; загрузка машины до измерения 1,2, после 3,5."),
+                russian);
     }
 }

@@ -3,11 +3,13 @@ package rasterlab.engine.study;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import rasterlab.engine.study.measuring.Machine;
 
 /**
  * How a study was measured, so that it can be repeated and believed.
  *
  * @param begun when it was begun
+ * @param machine where
  * @param loadBefore processes that wanted to run in the minute before, as the system tells it;
  *     negative where it does not
  * @param loadAfter the same at the end
@@ -18,6 +20,7 @@ import java.util.Map;
 public record Circumstances(
         StudySettings settings,
         Instant begun,
+        Machine machine,
         double loadBefore,
         double loadAfter,
         Map<String, List<Double>> fixed,

@@ -13,6 +13,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.engine.study.measuring.Calibration;
+import rasterlab.engine.study.measuring.Machine;
 
 /**
  * Measures every method of a topic on every workload.
@@ -141,7 +142,15 @@ public final class StudyRunner<C, I, O> {
             measurements.addAll(load.measurements());
             fixed.put(load.name(), load.rounds().fixed().all());
         }
-        var how = new Circumstances(settings, begun, loadBefore, loadOfTheMachine(), fixed, whole);
+        var how =
+                new Circumstances(
+                        settings,
+                        begun,
+                        Machine.here(),
+                        loadBefore,
+                        loadOfTheMachine(),
+                        fixed,
+                        whole);
         return new Study(
                 topic.name(), topic.item(), topic.errorUnit(), measurements, Optional.of(how));
     }

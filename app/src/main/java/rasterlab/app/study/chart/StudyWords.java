@@ -20,6 +20,7 @@ import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Regime;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.measuring.Machine;
 
 /** The words of a chart or a table of a study, in one language. */
 public final class StudyWords {
@@ -179,7 +180,10 @@ public final class StudyWords {
         return String.join(" ", notes);
     }
 
-    /** When a study was measured, and the load that its machine had; empty where nobody knows. */
+    /**
+     * When and where a study was measured, and the load that its machine had; empty where nobody
+     * knows.
+     */
     public Optional<String> measuredOn(Study study) {
         return study.circumstances().map(this::measuredOn);
     }
@@ -190,7 +194,13 @@ public final class StudyWords {
                         .withLocale(locale())
                         .withZone(ZoneId.systemDefault())
                         .format(how.begun());
-        String date = texts.text(how.whole() ? "measured.on" : "measured.part", when);
+        Machine where = how.machine();
+        String date =
+                texts.text(
+                        how.whole() ? "measured.on" : "measured.part",
+                        when,
+                        where.processor(),
+                        where.cores());
         boolean told = how.loadBefore() >= 0 && how.loadAfter() >= 0;
         return told
                 ? texts.text("measured.load", date, load(how.loadBefore()), load(how.loadAfter()))

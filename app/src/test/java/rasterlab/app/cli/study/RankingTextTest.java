@@ -19,6 +19,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.measuring.Machine;
 
 class RankingTextTest {
     private static final List<Double> CALM = times(1, 0.001);
@@ -55,6 +56,7 @@ class RankingTextTest {
                         new Circumstances(
                                 StudySettings.quick(),
                                 Instant.EPOCH,
+                                Machine.here(),
                                 0.5,
                                 -1,
                                 Map.of("w", fixed),

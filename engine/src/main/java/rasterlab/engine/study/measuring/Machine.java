@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.engine.study.measuring;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -6,14 +6,21 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /**
- * The machine that a study was measured on.
+ * A machine that studies are measured on.
  *
  * @param processor its model name, or the architecture where the system does not tell
  * @param cores available to this process
  * @param heapBytes the most heap this process may use
  */
-record Machine(String system, String processor, int cores, long heapBytes, String java) {
-    static Machine here() {
+public record Machine(String system, String processor, int cores, long heapBytes, String java) {
+    public Machine {
+        if (cores < 1) throw new IllegalArgumentException("cores must be at least 1, got " + cores);
+        if (heapBytes < 1)
+            throw new IllegalArgumentException("heap must have at least 1 byte, got " + heapBytes);
+    }
+
+    /** The machine that this runs on. */
+    public static Machine here() {
         Runtime runtime = Runtime.getRuntime();
         return new Machine(
                 System.getProperty("os.name") + " " + System.getProperty("os.version"),
@@ -25,6 +32,11 @@ record Machine(String system, String processor, int cores, long heapBytes, Strin
                         + System.getProperty("java.vm.name")
                         + ", "
                         + System.getProperty("java.vendor"));
+    }
+
+    /** Processor, system and Java in one line. */
+    public String described() {
+        return processor + ", " + system + ", Java " + java;
     }
 
     private static String processorName() {
