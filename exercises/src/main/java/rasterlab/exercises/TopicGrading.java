@@ -225,8 +225,8 @@ public interface TopicGrading {
         }
 
         /**
-         * This call on smaller inputs, of which one that goes wrong too may be told
-         * in this one's place; none where only this input is asked for.
+         * This call on smaller inputs, of which one that goes wrong too may be told in this one's
+         * place; none where only this input is asked for.
          */
         default Stream<Call> smaller() {
             return Stream.empty();

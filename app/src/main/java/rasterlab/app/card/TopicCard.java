@@ -12,4 +12,4 @@ import rasterlab.app.canvas.method.TopicColors;
  * @param way what shows its inputs
  * @param <M> the lab's model
  */
-public record TopicCard<M>(String topic, LabRoom<M> lab, TopicColors colors, TopicWay<M> way) {}
+public record TopicCard<M>(String topic, LabRoom<M> lab, TopicColors colors, TopicBinding<M> way) {}

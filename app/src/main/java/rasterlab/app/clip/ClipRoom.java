@@ -10,8 +10,8 @@ import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicWay;
 import rasterlab.app.clip.outcome.ClipTopics;
 import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.app.mine.OwnMethods;
@@ -53,7 +53,7 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
                 mode.topic(),
                 this,
                 ClipColors.OWN,
-                TopicWay.<ClipLabModel>inTurn(
+                TopicBinding.<ClipLabModel>inTurn(
                                 ClipLabModel::history,
                                 (lab, input) -> lab.showInput(mode, input),
                                 ClipLabModel::chooseMethod)

@@ -8,8 +8,8 @@ import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicWay;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColors;
 import rasterlab.app.mine.OwnMethods;
@@ -61,8 +61,8 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
                 new TopicCard<>("rotate-axis", this, FigureColors.OWN, points("rotate-axis")));
     }
 
-    private static TopicWay<CoordinatesLabModel> rotations() {
-        return TopicWay.<CoordinatesLabModel>inTurn(
+    private static TopicBinding<CoordinatesLabModel> rotations() {
+        return TopicBinding.<CoordinatesLabModel>inTurn(
                         lab -> lab.rotation().history(),
                         (lab, input) -> {
                             lab.show(CoordinatesMode.ROTATION);
@@ -81,8 +81,8 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
                         (lab, method) -> {});
     }
 
-    private static TopicWay<CoordinatesLabModel> matrices() {
-        return TopicWay.<CoordinatesLabModel>inTurn(
+    private static TopicBinding<CoordinatesLabModel> matrices() {
+        return TopicBinding.<CoordinatesLabModel>inTurn(
                         lab -> lab.transformations().history(),
                         (lab, input) -> {
                             lab.show(CoordinatesMode.TRANSFORMATIONS);
@@ -92,8 +92,8 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
                 .writing(listed("matrix"));
     }
 
-    private static TopicWay<CoordinatesLabModel> meetings() {
-        return TopicWay.<CoordinatesLabModel>inTurn(
+    private static TopicBinding<CoordinatesLabModel> meetings() {
+        return TopicBinding.<CoordinatesLabModel>inTurn(
                         lab -> lab.meeting().history(),
                         (lab, input) -> {
                             lab.show(CoordinatesMode.MEETING);
@@ -108,15 +108,15 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     }
 
     /** Tells the list of matrices, and the points that go through them, as an input. */
-    private static TopicWay.Writing<CoordinatesLabModel> listed(String topic) {
+    private static TopicBinding.Writing<CoordinatesLabModel> listed(String topic) {
         return lab ->
                 lab.in(CoordinatesMode.TRANSFORMATIONS)
                         .flatMap(shown -> shown.transformations().input(topic));
     }
 
     /** Points of space, beside what the method makes of them. */
-    private static TopicWay<CoordinatesLabModel> points(String topic) {
-        return TopicWay.<CoordinatesLabModel>whole(
+    private static TopicBinding<CoordinatesLabModel> points(String topic) {
+        return TopicBinding.<CoordinatesLabModel>whole(
                         (lab, input, method) -> {
                             lab.show(CoordinatesMode.TRANSFORMATIONS);
                             if (input.hazard().isEmpty())

@@ -12,8 +12,8 @@ import java.util.UUID;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.work.Background;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.exercises.Exercise;
@@ -115,10 +115,12 @@ public final class HintDesk implements AutoCloseable {
         JsonNode taken = english.path("taken");
         if (!english.path("steps").isInt() || !taken.isArray())
             throw new IOException("the server's hints have no steps");
-        List<Said> shown = new ArrayList<>();
+        List<LocalizedText> shown = new ArrayList<>();
         for (int i = 0; i < taken.size(); i++) {
             String text = taken.path(i).path("text").asText();
-            shown.add(new Said(text, russian.path("taken").path(i).path("text").asText(text)));
+            shown.add(
+                    new LocalizedText(
+                            text, russian.path("taken").path(i).path("text").asText(text)));
         }
         JsonNode cost = english.path("next").path("cost");
         return new HintView(

@@ -2,7 +2,7 @@ package rasterlab.app.exercise;
 
 import java.util.List;
 import java.util.OptionalInt;
-import rasterlab.app.exercise.outcome.Said;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Hint;
 
@@ -14,7 +14,7 @@ import rasterlab.exercises.Hint;
  * @param cost points of the next step; empty where all are shown or nobody has said yet
  * @param origin who counts
  */
-public record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
+public record HintView(int steps, List<LocalizedText> shown, OptionalInt cost, Origin origin) {
     /** Who counts what hints cost. */
     public enum Origin {
         /** Nobody counts the hints: there is no server. */
@@ -34,7 +34,7 @@ public record HintView(int steps, List<Said> shown, OptionalInt cost, Origin ori
         List<Hint> all = exercise.hints();
         return new HintView(
                 all.size(),
-                all.subList(0, shown).stream().map(one -> Said.of(one::text)).toList(),
+                all.subList(0, shown).stream().map(one -> LocalizedText.of(one::text)).toList(),
                 shown < all.size() ? OptionalInt.of(all.get(shown).cost()) : OptionalInt.empty(),
                 Origin.PRACTICE);
     }

@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.outcome.TriedPicture;
 import rasterlab.app.language.Language;
@@ -101,7 +101,7 @@ final class Submitting {
 
             @Override
             public void judged(JsonNode one) {
-                judged.add(tried(ServerReport.judged(one), Said.NOTHING, List.of()));
+                judged.add(tried(ServerReport.judged(one), LocalizedText.NOTHING, List.of()));
                 follower.judged(List.copyOf(judged));
             }
         };
@@ -115,7 +115,8 @@ final class Submitting {
         for (PublishedCase one : english.cases()) {
             // Cases are matched by place, not by name: several may be called hidden.
             Optional<PublishedCase> other = at(russian.cases(), cases.size());
-            Said said = new Said(one.message(), other.map(PublishedCase::message).orElse(""));
+            LocalizedText said =
+                    new LocalizedText(one.message(), other.map(PublishedCase::message).orElse(""));
             cases.add(
                     tried(one, withReason(said, one, other), pictures(one, other))
                             .under(rule(one, other)));
@@ -127,7 +128,7 @@ final class Submitting {
                 points(english.points()),
                 cases,
                 remarks(english.diagnostics(), russian.diagnostics()),
-                Said.of(code -> Report.isolationIn(code, english.isolation())),
+                LocalizedText.of(code -> Report.isolationIn(code, english.isolation())),
                 0,
                 !submission.path("current").asBoolean(true),
                 english.points().hints(),
@@ -135,18 +136,18 @@ final class Submitting {
     }
 
     /** Adds, below what is said, why a hidden case is there, once the server tells it. */
-    private static Said withReason(
-            Said said, PublishedCase english, Optional<PublishedCase> russian) {
+    private static LocalizedText withReason(
+            LocalizedText said, PublishedCase english, Optional<PublishedCase> russian) {
         if (english.why().isEmpty()) return said;
-        Said reason =
-                new Said(
+        LocalizedText reason =
+                new LocalizedText(
                         because(Language.ENGLISH, english.why()),
                         because(Language.RUSSIAN, russian.flatMap(PublishedCase::why)));
-        return said.equals(Said.NOTHING) ? reason : said.above(reason);
+        return said.equals(LocalizedText.NOTHING) ? reason : said.above(reason);
     }
 
-    private static Said rule(PublishedCase english, Optional<PublishedCase> russian) {
-        return new Said(
+    private static LocalizedText rule(PublishedCase english, Optional<PublishedCase> russian) {
+        return new LocalizedText(
                 rule(Language.ENGLISH, Optional.of(english)), rule(Language.RUSSIAN, russian));
     }
 
@@ -174,7 +175,8 @@ final class Submitting {
         }
     }
 
-    private static TriedCase tried(PublishedCase one, Said said, List<TriedPicture> pictures) {
+    private static TriedCase tried(
+            PublishedCase one, LocalizedText said, List<TriedPicture> pictures) {
         return new TriedCase(
                 one.name(),
                 one.verdict().told(one.points(), one.of()),
@@ -197,7 +199,8 @@ final class Submitting {
                     new TriedPicture(
                             one.kind(),
                             file(one.url(), other.map(PublishedPicture::url).orElse(one.url())),
-                            new Said(one.text(), other.map(PublishedPicture::text).orElse("")),
+                            new LocalizedText(
+                                    one.text(), other.map(PublishedPicture::text).orElse("")),
                             one.part()));
         }
         return pictures;
@@ -225,7 +228,9 @@ final class Submitting {
             PublishedDiagnostic other = at(russian, remarks.size()).orElse(one);
             remarks.add(
                     new Outcome.Remark(
-                            one.line(), one.column(), new Said(one.message(), other.message())));
+                            one.line(),
+                            one.column(),
+                            new LocalizedText(one.message(), other.message())));
         }
         return remarks;
     }

@@ -1,8 +1,8 @@
 package rasterlab.app.exercise;
 
 import java.io.IOException;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Form;
@@ -14,11 +14,11 @@ import rasterlab.exercises.predicting.HandedAnswers;
 final class UnreadableSheet extends IOException {
     private static final long serialVersionUID = 1L;
 
-    private final transient CatalogueException misfit;
+    private final transient CatalogueException invalid;
 
-    private UnreadableSheet(CatalogueException misfit) {
-        super(misfit.getMessage(), misfit);
-        this.misfit = misfit;
+    private UnreadableSheet(CatalogueException invalid) {
+        super(invalid.getMessage(), invalid);
+        this.invalid = invalid;
     }
 
     /**
@@ -38,12 +38,12 @@ final class UnreadableSheet extends IOException {
     static HandedAnswers read(Exercise exercise, String text) throws UnreadableSheet {
         try {
             return HandedAnswers.of(exercise, text.replaceFirst("^\uFEFF", ""));
-        } catch (CatalogueException misfit) {
-            throw new UnreadableSheet(misfit);
+        } catch (CatalogueException invalid) {
+            throw new UnreadableSheet(invalid);
         }
     }
 
     Notice notice() {
-        return Notice.quoting("sheet", Said.of(misfit::in));
+        return Notice.quoting("sheet", LocalizedText.of(invalid::in));
     }
 }

@@ -23,9 +23,9 @@ import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.app.study.front.StudyPlot;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.StudyRunner;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
@@ -170,7 +170,7 @@ public final class Findings {
 
     private void writeTopic(
             Topic<?, ?, ?> topic, Study study, HazardMatrix hazards, FoundWords words) {
-        Circumstances how = study.circumstances().orElseThrow();
+        StudyConditions how = study.circumstances().orElseThrow();
         var origin = new PageOrigin(shared(), begun(how));
         var page = new FoundPage(FoundWords.capital(called.topic(topic.name())), texts, origin);
         page.link("index.html", texts.text("contents"), "");
@@ -198,7 +198,7 @@ public final class Findings {
     }
 
     /** When a study was begun, as people read it. */
-    static String begun(Circumstances how) {
+    static String begun(StudyConditions how) {
         return DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
                 .format(how.begun().atZone(ZoneOffset.UTC));
     }

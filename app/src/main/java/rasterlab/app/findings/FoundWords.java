@@ -16,12 +16,12 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Ranking;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.measuring.PaceComparison;
@@ -74,7 +74,7 @@ final class FoundWords {
     }
 
     /** When and where it was measured, and how far its times can be trusted. */
-    String measured(Circumstances how) {
+    String measured(StudyConditions how) {
         return texts.text(
                 study.isBusy() ? "how.busy" : "how.measured",
                 Findings.begun(how),

@@ -27,10 +27,10 @@ import rasterlab.app.line.figure.FigureState;
 import rasterlab.app.line.figure.FigureTopics;
 import rasterlab.app.line.figure.PenFigure;
 import rasterlab.app.line.figure.SlopeFigure;
-import rasterlab.app.line.trace.AloneMark;
 import rasterlab.app.line.trace.LineColors;
 import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.line.trace.LineTrace;
+import rasterlab.app.line.trace.SingleMethodMark;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.PixelMark;
 
@@ -112,7 +112,7 @@ final class FigureInspector {
         spread = column.value("spread");
         other = column.value("other");
         apart = column.value("apart");
-        apart.setIcon(new AloneMark());
+        apart.setIcon(new SingleMethodMark());
         apart.setToolTipText(texts.text("apart.hint"));
 
         column.heading("heading.about");

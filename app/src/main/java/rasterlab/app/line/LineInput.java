@@ -1,7 +1,7 @@
 package rasterlab.app.line;
 
 import rasterlab.engine.format.Field;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.json.JsonFields;
@@ -20,8 +20,8 @@ public final class LineInput {
         String[] known = format.input().stream().map(Field::name).toArray(String[]::new);
         try {
             return JsonFields.parse("input", json, known).input(format);
-        } catch (Misfit misfit) {
-            throw new IllegalArgumentException(misfit.reason(), misfit);
+        } catch (InvalidInput invalid) {
+            throw new IllegalArgumentException(invalid.reason(), invalid);
         }
     }
 }

@@ -11,8 +11,8 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.app.canvas.method.MethodColors;
-import rasterlab.app.line.trace.AloneMark;
 import rasterlab.app.line.trace.LineColors;
+import rasterlab.app.line.trace.SingleMethodMark;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;
@@ -144,7 +144,7 @@ final class LinePainter {
         for (PixelSet alone : List.of(apart.extra(), apart.missing()))
             for (int i = 0; i < alone.size(); i++) {
                 requireUse();
-                AloneMark.paint(g, colors, square(alone.x(i), alone.y(i), 0));
+                SingleMethodMark.paint(g, colors, square(alone.x(i), alone.y(i), 0));
             }
     }
 

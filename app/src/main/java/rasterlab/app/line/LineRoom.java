@@ -10,8 +10,8 @@ import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicWay;
 import rasterlab.app.line.figure.FigureCommand;
 import rasterlab.app.line.trace.LineColors;
 import rasterlab.app.line.trace.LineMode;
@@ -65,8 +65,8 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                         (lab, input) -> lab.figures().show((Ellipse) input)));
     }
 
-    private static TopicWay<LineLabModel> segments() {
-        return TopicWay.<LineLabModel>inTurn(
+    private static TopicBinding<LineLabModel> segments() {
+        return TopicBinding.<LineLabModel>inTurn(
                         LineLabModel::history,
                         (lab, input) -> {
                             lab.chooseMode(LineMode.SEGMENT);
@@ -74,7 +74,7 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                         },
                         LineLabModel::chooseMethod)
                 .reading(
-                        new TopicWay.Cases<>(
+                        new TopicBinding.Cases<>(
                                 LineInput::read,
                                 (lab, input, method, drawn) ->
                                         lab.showTried((Segment) input, method, drawn)))
@@ -98,7 +98,7 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                 topic,
                 this,
                 LineColors.OWN,
-                TopicWay.<LineLabModel>inTurn(
+                TopicBinding.<LineLabModel>inTurn(
                                 lab -> lab.figures().history(),
                                 (lab, input) -> {
                                     lab.chooseMode(mode);

@@ -9,8 +9,8 @@ import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.polygon.outcome.PolygonTopics;
@@ -52,7 +52,7 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
                 mode.topic(),
                 this,
                 PolygonColors.OWN,
-                TopicWay.<PolygonLabModel>inTurn(
+                TopicBinding.<PolygonLabModel>inTurn(
                                 PolygonLabModel::history,
                                 (lab, input) -> lab.showInput(mode, input),
                                 PolygonLabModel::chooseMethod)

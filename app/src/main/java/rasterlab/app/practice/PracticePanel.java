@@ -14,7 +14,7 @@ import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.KeyBinding;
-import rasterlab.app.canvas.lab.Helped;
+import rasterlab.app.canvas.lab.HasHelp;
 import rasterlab.app.canvas.lab.LabLayout;
 import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.canvas.work.Settling;
@@ -26,7 +26,7 @@ import rasterlab.exercises.predicting.Sheet;
 import rasterlab.exercises.predicting.StepText;
 
 /** The mode "which is next?" as its lab shows it, in one language. */
-final class PracticePanel extends JPanel implements Settling, Helped {
+final class PracticePanel extends JPanel implements Settling, HasHelp {
     private static final long serialVersionUID = 1L;
 
     private final transient PracticeModel model;

@@ -2,8 +2,8 @@ package rasterlab.app.row;
 
 import java.util.function.Function;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicWay;
 
 /** Makes the card of a topic whose inputs are shown as rows, in whichever tab the rows stand. */
 public final class RowTopic {
@@ -18,8 +18,8 @@ public final class RowTopic {
         return new TopicCard<>(topic, lab, RowColors.OWN, way(topic, rows));
     }
 
-    private static <M> TopicWay<M> way(String topic, Function<M, RowLabModel> rows) {
-        return TopicWay.<M>whole(
+    private static <M> TopicBinding<M> way(String topic, Function<M, RowLabModel> rows) {
+        return TopicBinding.<M>whole(
                         (lab, input, method) -> {
                             if (input.hazard().isEmpty())
                                 rows.apply(lab).show(topic, input.input(), method);

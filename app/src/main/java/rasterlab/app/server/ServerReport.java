@@ -54,7 +54,7 @@ public final class ServerReport {
                             text(speed, "errorUnit"),
                             speed.path("fullUpTo").asDouble(),
                             speed.path("noneAbove").asDouble()));
-        } catch (IllegalArgumentException misfit) {
+        } catch (IllegalArgumentException invalid) {
             return Optional.empty();
         }
     }

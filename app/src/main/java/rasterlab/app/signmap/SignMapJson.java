@@ -51,11 +51,11 @@ public final class SignMapJson {
 
     /** The words about a point. */
     @FunctionalInterface
-    private interface Said {
+    private interface SignReader {
         int at(int column, int row);
     }
 
-    private static void writeRows(String name, int size, Said said, JsonGenerator out)
+    private static void writeRows(String name, int size, SignReader said, JsonGenerator out)
             throws IOException {
         out.writeArrayFieldStart(name);
         for (int row = 0; row < size; row++) {

@@ -9,8 +9,8 @@ import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.spline.exact.CurveTask;
 import rasterlab.engine.spline.function.SplineProblem;
@@ -49,7 +49,7 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
         return List.of(
                 card(
                         "curve",
-                        TopicWay.<SplineLabModel>inTurn(
+                        TopicBinding.<SplineLabModel>inTurn(
                                         lab -> lab.curve().history(),
                                         (lab, input) -> {
                                             lab.show(SplineMode.CURVE);
@@ -71,7 +71,7 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
                                                                 lab.curve().state().choice())))),
                 card(
                         "spline-function",
-                        TopicWay.<SplineLabModel>inTurn(
+                        TopicBinding.<SplineLabModel>inTurn(
                                         lab -> lab.function().history(),
                                         (lab, input) -> {
                                             lab.show(SplineMode.FUNCTION);
@@ -102,7 +102,7 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
         return lab.mode() == mode ? Optional.of(command) : Optional.empty();
     }
 
-    private TopicCard<SplineLabModel> card(String topic, TopicWay<SplineLabModel> way) {
+    private TopicCard<SplineLabModel> card(String topic, TopicBinding<SplineLabModel> way) {
         return new TopicCard<>(topic, this, SplineColors.OWN, way);
     }
 

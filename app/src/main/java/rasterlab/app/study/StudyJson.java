@@ -14,12 +14,12 @@ import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.front.SizesChart;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Ranking;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.measuring.Machine;
 import rasterlab.engine.study.measuring.MedianInterval;
@@ -79,7 +79,7 @@ final class StudyJson {
         }
     }
 
-    private void write(Study study, Circumstances how) throws IOException {
+    private void write(Study study, StudyConditions how) throws IOException {
         write(how.machine());
         StudySettings settings = how.settings();
         json.writeStringField("date", how.begun().toString());

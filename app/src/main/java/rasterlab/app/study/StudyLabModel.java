@@ -15,7 +15,7 @@ import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.work.Background;
 import rasterlab.app.canvas.work.LatestReading;
 import rasterlab.app.canvas.work.Listeners;
-import rasterlab.app.canvas.work.RareNews;
+import rasterlab.app.canvas.work.ThrottledUpdates;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
 import rasterlab.app.outcome.Complaint;
@@ -250,8 +250,8 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         begin(
                 StudyWork.Kind.STUDY,
                 tell -> {
-                    var news = new RareNews<Progress>(tell, BETWEEN_NEWS, this::tell);
-                    var points = new RareNews<Study>(tell, BETWEEN_POINTS, this::tellSoFar);
+                    var news = new ThrottledUpdates<Progress>(tell, BETWEEN_NEWS, this::tell);
+                    var points = new ThrottledUpdates<Study>(tell, BETWEEN_POINTS, this::tellSoFar);
                     Study study =
                             measured(
                                     topic,
@@ -328,7 +328,8 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                 tell -> {
                     var judged = new ArrayList<Cell>();
                     var news =
-                            new RareNews<List<Cell>>(tell, BETWEEN_NEWS, cells -> tell(cells, of));
+                            new ThrottledUpdates<List<Cell>>(
+                                    tell, BETWEEN_NEWS, cells -> tell(cells, of));
                     List<Cell> all =
                             tried(
                                     topic.name(),

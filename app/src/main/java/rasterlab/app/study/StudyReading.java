@@ -10,11 +10,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
@@ -57,12 +57,12 @@ final class StudyReading {
                         .anyMatch(one -> one.name().equals(measured.workload()));
     }
 
-    private static Circumstances circumstances(JsonNode root) {
+    private static StudyConditions circumstances(JsonNode root) {
         Map<String, List<Double>> fixed = new TreeMap<>();
         for (JsonNode one : root.required("noise"))
             fixed.put(one.required("workload").asText(), numbers(one.required("rounds")));
         try {
-            return new Circumstances(
+            return new StudyConditions(
                     settings(root.required("settings"), root.required("seed").asLong()),
                     Instant.parse(root.required("date").asText()),
                     machine(root.required("machine")),

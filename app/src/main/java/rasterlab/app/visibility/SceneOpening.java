@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.file.KeptFile;
-import rasterlab.app.visibility.scene.ComingBack;
 import rasterlab.app.visibility.scene.OpenedFiles;
+import rasterlab.app.visibility.scene.RestoredScene;
 import rasterlab.app.visibility.scene.SceneChoice;
 import rasterlab.app.visibility.scene.SceneFiles;
 import rasterlab.app.visibility.scene.VisibilityChoice;
@@ -54,7 +54,7 @@ final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, 
     public Optional<Supplier<SceneFiles.Answer>> reading(
             OpenedFiles kept, VisibilityChoice before) {
         return kept.view()
-                .map(view -> () -> SceneFiles.read(new ComingBack(view, kept.up(), before)));
+                .map(view -> () -> SceneFiles.read(new RestoredScene(view, kept.up(), before)));
     }
 
     @Override

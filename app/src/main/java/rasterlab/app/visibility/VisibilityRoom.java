@@ -14,9 +14,9 @@ import rasterlab.app.canvas.lab.GivenInput;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
-import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.app.row.RowTopic;
@@ -112,10 +112,10 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                 topic.name(),
                 this,
                 VisibilityColors.OWN,
-                TopicWay.<VisibilityLabModel>noted(
+                TopicBinding.<VisibilityLabModel>noted(
                                 (lab, input, method) ->
                                         show(lab, view.apply(input, method), input, method),
-                                new TopicWay.Notes<>(
+                                new TopicBinding.Notes<>(
                                         (lab, input, method) ->
                                                 view.apply(input, method).differences(),
                                         method -> true,
@@ -149,7 +149,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
             BiFunction<TopicInput, String, TopicView> view,
             Function<VisibilityChoice, Optional<I>> seen) {
         TopicCard<VisibilityLabModel> card = card(topic, view, seen);
-        TopicWay.ShowOwn<VisibilityLabModel> showing =
+        TopicBinding.ShowOwn<VisibilityLabModel> showing =
                 (lab, input, beside) ->
                         lab.history().asOne(() -> showOwn(lab, topic.name(), input, beside, view));
         return new TopicCard<>(

@@ -27,9 +27,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.outcome.OutcomeFile;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.outcome.TriedPicture;
 import rasterlab.app.exercise.panel.CaseCanvas;
@@ -45,6 +45,8 @@ import rasterlab.exercises.score.PictureBytes;
 class CaseChoiceTest {
     private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
     private static final int SMALLEST = 5;
+    private static final TriedCase HIDDEN =
+            new TriedCase("hidden", "wrong", 0, 4, LocalizedText.NOTHING, List.of(), "");
 
     private final SavedExercisePanes kept = new SavedExercisePanes();
 
@@ -164,16 +166,15 @@ class CaseChoiceTest {
     @DisplayName("another hidden case than the one that was chosen is chosen again")
     void hiddenCasesAreChosenApart() throws Exception {
         Outcome plain = ShownResult.outcome(GradingVerdict.WRONG);
-        TriedCase hidden = new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, List.of(), "");
         var outcome =
                 new Outcome(
                         "",
                         1,
                         "wrong",
                         plain.points(),
-                        List.of(hidden, hidden, hidden),
+                        List.of(HIDDEN, HIDDEN, HIDDEN),
                         List.of(),
-                        Said.NOTHING,
+                        LocalizedText.NOTHING,
                         0,
                         false);
         EventQueue.invokeAndWait(
@@ -194,15 +195,14 @@ class CaseChoiceTest {
     @Test
     @DisplayName("hidden cases share one name while they are graded")
     void hiddenCasesAreToldApartWhileTheyAreGraded() throws Exception {
-        TriedCase hidden = new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, List.of(), "");
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.RUSSIAN, kept, FAILURES::add);
-                    show(pane, grading(hidden, hidden), Optional.empty());
+                    show(pane, grading(HIDDEN, HIDDEN), Optional.empty());
                     assertEquals("скрытый 2", cases(pane).getValueAt(1, 1));
                     cases(pane).setRowSelectionInterval(0, 0);
-                    show(pane, grading(hidden, hidden, hidden), Optional.empty());
+                    show(pane, grading(HIDDEN, HIDDEN, HIDDEN), Optional.empty());
                     assertEquals(0, cases(pane).getSelectedRow());
                     pane.close();
                 });
@@ -303,13 +303,22 @@ class CaseChoiceTest {
     void aCaseWithACounterexampleOfItsOwnIsNotCalledOneAgain(String smallest, boolean called)
             throws Exception {
         Outcome all = wrong();
-        var said = new Said("it is so", "это так");
+        var said = new LocalizedText("it is so", "это так");
         List<TriedCase> cases =
                 all.cases().stream()
                         .map(one -> drawn(one, one.name().equals(smallest) ? 1 : 4, said))
                         .toList();
         var outcome =
-                new Outcome("", 0, "wrong", all.points(), cases, List.of(), Said.NOTHING, 0, false);
+                new Outcome(
+                        "",
+                        0,
+                        "wrong",
+                        all.points(),
+                        cases,
+                        List.of(),
+                        LocalizedText.NOTHING,
+                        0,
+                        false);
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
@@ -354,18 +363,18 @@ class CaseChoiceTest {
                 plain.points(),
                 cases,
                 List.of(),
-                Said.NOTHING,
+                LocalizedText.NOTHING,
                 0,
                 false);
     }
 
     private static TriedCase drawn(TriedCase one, int pixels) {
-        return drawn(one, pixels, Said.NOTHING);
+        return drawn(one, pixels, LocalizedText.NOTHING);
     }
 
-    private static TriedCase drawn(TriedCase one, int pixels, Said said) {
+    private static TriedCase drawn(TriedCase one, int pixels, LocalizedText said) {
         byte[] png = png(pixels);
-        var rows = new Said("-".repeat(pixels), "-".repeat(pixels));
+        var rows = new LocalizedText("-".repeat(pixels), "-".repeat(pixels));
         List<TriedPicture> pictures =
                 CaseCanvas.USUAL.stream()
                         .map(

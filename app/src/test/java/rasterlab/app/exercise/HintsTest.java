@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.panel.HintRow;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -84,7 +84,7 @@ class HintsTest {
     }
 
     private static List<String> shown(Trial trial) {
-        return trial.model.hints().shown().stream().map(Said::english).toList();
+        return trial.model.hints().shown().stream().map(LocalizedText::english).toList();
     }
 
     @Test

@@ -23,8 +23,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.exercise.outcome.FittedPicture;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.outcome.TriedPicture;
 import rasterlab.app.exercise.panel.CaseCanvas;
@@ -39,7 +39,7 @@ import rasterlab.exercises.score.PictureBytes;
 
 /** Cases whose pictures are others than three grids of pixels. */
 class PictureListTest {
-    private static final Said WORDS = new Said("a triangle", "треугольник");
+    private static final LocalizedText WORDS = new LocalizedText("a triangle", "треугольник");
 
     @AfterEach
     void usualTheme() throws Exception {
@@ -163,7 +163,7 @@ class PictureListTest {
     }
 
     private static TriedCase tried(String name, List<TriedPicture> pictures) {
-        return new TriedCase(name, "wrong", 0, 1, Said.NOTHING, pictures, "");
+        return new TriedCase(name, "wrong", 0, 1, LocalizedText.NOTHING, pictures, "");
     }
 
     private static void onCanvas(List<TriedPicture> pictures, Consumer<CaseCanvas> test)
@@ -190,7 +190,10 @@ class PictureListTest {
 
     private static TriedPicture grid(String kind, String row) {
         return new TriedPicture(
-                kind, PictureBytes.alike(png(17, 9)), new Said(row, row), Optional.empty());
+                kind,
+                PictureBytes.alike(png(17, 9)),
+                new LocalizedText(row, row),
+                Optional.empty());
     }
 
     private static TriedPicture drawing(String kind, int width, int height) {

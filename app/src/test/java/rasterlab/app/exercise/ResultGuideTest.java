@@ -23,8 +23,8 @@ import javax.swing.JTextArea;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.language.Language;
@@ -212,7 +212,7 @@ class ResultGuideTest {
                                     "wrong",
                                     0,
                                     open.of(),
-                                    Said.of(said::in),
+                                    LocalizedText.of(said::in),
                                     List.of(),
                                     "");
                     Outcome plain = outcome(GradingVerdict.WRONG);

@@ -22,8 +22,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.panel.CaseCanvas;
 import rasterlab.app.exercise.panel.CaseTable;
@@ -138,12 +138,20 @@ class ResultPlacesTest {
                                                 one.verdict(),
                                                 0,
                                                 one.of(),
-                                                Said.of(said::in),
+                                                LocalizedText.of(said::in),
                                                 List.of(),
                                                 ""))
                         .toList();
         return new Outcome(
-                "", 0, plain.verdict(), plain.points(), cases, List.of(), Said.NOTHING, 0, false);
+                "",
+                0,
+                plain.verdict(),
+                plain.points(),
+                cases,
+                List.of(),
+                LocalizedText.NOTHING,
+                0,
+                false);
     }
 
     @Test

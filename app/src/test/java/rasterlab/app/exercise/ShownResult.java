@@ -8,9 +8,9 @@ import java.util.function.Consumer;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.lab.NotShown;
 import rasterlab.app.canvas.lab.OpenInLab;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.exercise.panel.SavedExercisePanes;
@@ -134,7 +134,7 @@ public final class ShownResult {
                         .map(one -> judged(one, verdict.code()))
                         .toList(),
                 List.of(),
-                Said.NOTHING,
+                LocalizedText.NOTHING,
                 0,
                 false);
     }
@@ -143,7 +143,8 @@ public final class ShownResult {
      * @param verdict its code, "" before there is one
      */
     static TriedCase judged(TriedCase one, String verdict) {
-        return new TriedCase(one.name(), verdict, 0, one.of(), Said.NOTHING, List.of(), "");
+        return new TriedCase(
+                one.name(), verdict, 0, one.of(), LocalizedText.NOTHING, List.of(), "");
     }
 
     /**

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedPicture;
 import rasterlab.app.server.FakeServer;
 import rasterlab.exercises.score.SpeedFigures;
@@ -66,7 +66,7 @@ class SubmittedPicturesTest {
     }
 
     private static String described(TriedPicture one) {
-        Said text = one.text();
+        LocalizedText text = one.text();
         boolean same = text.english().equals(text.russian());
         return one.kind() + " " + text.english() + (same ? "" : "|" + text.russian());
     }
@@ -118,7 +118,7 @@ class SubmittedPicturesTest {
             trial.model.submit();
             Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
             assertEquals(
-                    new Said(
+                    new LocalizedText(
                             "pixel (1, 2) is missing\nWhy this case is there: it is rare.",
                             "pixel (1, 2) is missing\nЗачем этот тест: it is rare."),
                     outcome.cases().get(0).said());

@@ -21,9 +21,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -129,7 +129,7 @@ class SubmittingTest {
             List<TriedCase> cases = trial.awaitEnd().outcome().orElseThrow().cases();
             assertEquals(
                     List.of("hidden 1", "hidden 2"), cases.stream().map(TriedCase::name).toList());
-            assertEquals(new Said("next lang=en", "next lang=ru"), cases.get(1).said());
+            assertEquals(new LocalizedText("next lang=en", "next lang=ru"), cases.get(1).said());
         }
     }
 

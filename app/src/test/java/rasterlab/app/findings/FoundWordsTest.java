@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.line.LineTopic;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -22,6 +21,7 @@ import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.measuring.Machine;
@@ -176,7 +176,7 @@ class FoundWordsTest {
 
     private static String measured(Language language, double slowest) {
         var how =
-                new Circumstances(
+                new StudyConditions(
                         StudySettings.quick(),
                         Instant.parse("2026-11-28T02:30:00Z"),
                         Machine.here(),

@@ -23,8 +23,8 @@ import rasterlab.engine.light.Substance;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.direct.Savings;
-import rasterlab.engine.plan.Enough;
 import rasterlab.engine.plan.Tolerance;
+import rasterlab.engine.plan.ToleratedDifference;
 import rasterlab.engine.raster.Raster;
 
 /** The least light that is enough in the lab of lighting. */
@@ -87,7 +87,9 @@ class LeastLightTest {
         assertEquals(List.of("full", "least", "off"), names());
         assertTrue(pair.picture().plan().saves());
         Tolerance within = pair.picture().plan().tolerance();
-        assertTrue(Enough.of(pair.full(), pair.picture().raster(), within).within(within));
+        assertTrue(
+                ToleratedDifference.of(pair.full(), pair.picture().raster(), within)
+                        .within(within));
         assertTrue(bill().holds());
         model.choose(choice -> choice.with(WISH.with(false)));
         settle();
@@ -122,7 +124,9 @@ class LeastLightTest {
                 pair().full().argb(),
                 model.state().drawn().orElseThrow().pictures().get(0).raster().argb());
         Tolerance within = pair().picture().plan().tolerance();
-        assertTrue(Enough.of(pair().full(), pair().picture().raster(), within).within(within));
+        assertTrue(
+                ToleratedDifference.of(pair().full(), pair().picture().raster(), within)
+                        .within(within));
     }
 
     @Test

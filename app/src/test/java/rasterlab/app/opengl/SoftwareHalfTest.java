@@ -135,7 +135,7 @@ class SoftwareHalfTest {
     @ParameterizedTest(name = "what OpenGL leaves open is drawn without a word: components={0}")
     @CsvSource({"1, true", "2, true", "3, false", "4, false"})
     void tellsWhatOpenGlLeavesOpen(String components, boolean open) {
-        Said said =
+        CommandAnswer said =
                 said(
                         words(
                                 "./lab opengl --set scene=globe --set texture-2d=on --set"
@@ -195,7 +195,7 @@ class SoftwareHalfTest {
         assertTrue(complaint.contains("allowed is .png"), complaint);
     }
 
-    private record Said(int exit, String out, String err) {}
+    private record CommandAnswer(int exit, String out, String err) {}
 
     /** The complaint; "" where there is none. */
     private static String lab(String command) {
@@ -203,7 +203,7 @@ class SoftwareHalfTest {
     }
 
     private static String lab(List<String> words) {
-        Said said = said(words);
+        CommandAnswer said = said(words);
         return said.exit() == 0 ? "" : said.err();
     }
 
@@ -211,7 +211,7 @@ class SoftwareHalfTest {
         return new ArrayList<>(List.of(command.substring("./lab ".length()).split(" ")));
     }
 
-    private static Said said(List<String> words) {
+    private static CommandAnswer said(List<String> words) {
         var out = new ByteArrayOutputStream();
         var err = new ByteArrayOutputStream();
         int exit =
@@ -220,7 +220,7 @@ class SoftwareHalfTest {
                         new ByteArrayInputStream(new byte[0]),
                         new PrintStream(out, true, StandardCharsets.UTF_8),
                         new PrintStream(err, true, StandardCharsets.UTF_8));
-        return new Said(
+        return new CommandAnswer(
                 exit, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
     }
 }

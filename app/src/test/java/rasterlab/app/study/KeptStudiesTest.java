@@ -18,11 +18,11 @@ import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.line.LineTopic;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.measuring.Machine;
@@ -46,7 +46,7 @@ class KeptStudiesTest {
 
     private static Study study(Measurement... measurements) {
         var how =
-                new Circumstances(
+                new StudyConditions(
                         StudySettings.quick(),
                         Instant.parse("2026-11-28T02:30:00Z"),
                         new Machine("Linux 6", "Z80", 1, 65_536, "17.0.1"),

@@ -19,7 +19,7 @@ import rasterlab.app.plan.least.PlanWish;
 import rasterlab.app.plan.least.PlannedPicture;
 import rasterlab.app.visibility.scene.StageView;
 import rasterlab.engine.pipeline.Renderer;
-import rasterlab.engine.plan.Enough;
+import rasterlab.engine.plan.ToleratedDifference;
 
 /** The least picture in the lab of hidden surfaces. */
 @Timeout(300)
@@ -75,7 +75,7 @@ class LeastVisibilityTest {
         assertTrue(picture.plan().saves());
         var full = renderer.render(picture.plan().full(), () -> false);
         assertTrue(
-                Enough.of(full, picture.raster(), picture.plan().tolerance())
+                ToleratedDifference.of(full, picture.raster(), picture.plan().tolerance())
                         .within(picture.plan().tolerance()));
         assertSame(picture.plan(), bill().trial().plan());
         assertTrue(bill().holds());

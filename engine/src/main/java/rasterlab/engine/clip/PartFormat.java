@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import rasterlab.engine.format.AnswerLimitReached;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
-import rasterlab.engine.format.GivenUp;
 import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
@@ -34,8 +34,8 @@ public final class PartFormat {
     }
 
     /** A complaint about a method that is found endless by its own steps. */
-    public static GivenUp doesNotEnd(String method, int mostSteps) {
-        return new GivenUp(
+    public static AnswerLimitReached doesNotEnd(String method, int mostSteps) {
+        return new AnswerLimitReached(
                 method
                         + " does not end: it made more than "
                         + mostSteps

@@ -10,7 +10,7 @@ import rasterlab.contract.ColorModel;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.ValueSource;
@@ -131,7 +131,7 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
     public Colors read(Given given) {
         List<ColorModel> models = MODELS.stream().filter(each -> given.has(each.code())).toList();
         if (models.size() != 1)
-            throw new Misfit(
+            throw new InvalidInput(
                     "/",
                     "expected one of "
                             + MODELS.stream()

@@ -5,11 +5,11 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.Pixels;
 import rasterlab.contract.SeedFiller;
+import rasterlab.engine.format.AnswerLimitReached;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.GivenUp;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
@@ -101,10 +101,10 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
         requireInside("/seed/1", seed[1], rows.size());
         String with = given.get(WITH);
         if (characters("/with", with) != 1)
-            throw new Misfit("/with", "expected one character, got " + with);
+            throw new InvalidInput("/with", "expected one character, got " + with);
         int connectivity = given.get(CONNECTIVITY);
         if (connectivity != 4 && connectivity != 8)
-            throw new Misfit("/connectivity", "expected 4 or 8, got " + connectivity);
+            throw new InvalidInput("/connectivity", "expected 4 or 8, got " + connectivity);
         return new FillTask(rows, seed[0], seed[1], with.codePointAt(0), connectivity);
     }
 
@@ -120,23 +120,24 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
     /** The number of characters, those beyond 16 bits counted once. */
     private static int characters(String place, String text) {
         if (text.codePoints().anyMatch(c -> c >= 0xD800 && c <= 0xDFFF))
-            throw new Misfit(place, "expected characters, got half of a surrogate pair");
+            throw new InvalidInput(place, "expected characters, got half of a surrogate pair");
         return text.codePointCount(0, text.length());
     }
 
     private static void requireWidth(String place, String row, int width) {
         if (characters(place, row) != width)
-            throw new Misfit(
+            throw new InvalidInput(
                     place,
                     "expected %d characters as /picture/0 has, got %d"
                             .formatted(width, characters(place, row)));
         if (width > SIDE)
-            throw new Misfit(place, "expected 1 to %d characters, got %d".formatted(SIDE, width));
+            throw new InvalidInput(
+                    place, "expected 1 to %d characters, got %d".formatted(SIDE, width));
     }
 
     private static void requireInside(String place, int value, int size) {
         if (value < 0 || value >= size)
-            throw new Misfit(
+            throw new InvalidInput(
                     place,
                     "expected a whole number from 0 to %d, got %d".formatted(size - 1, value));
     }
@@ -205,7 +206,7 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
         @Override
         public void plot(int x, int y) {
             if (++writes > most)
-                throw new GivenUp(
+                throw new AnswerLimitReached(
                         method
                                 + " does not end: it wrote more than "
                                 + most

@@ -91,21 +91,21 @@ public final class Given {
     }
 
     /** A complaint about the value of a field, with its place. */
-    public Misfit misfit(String field, String reason) {
-        return new Misfit(place + "/" + field, reason);
+    public InvalidInput invalid(String field, String reason) {
+        return new InvalidInput(place + "/" + field, reason);
     }
 
     /**
      * A complaint about the fields where something made of them refuses them: about the one whose
      * name, with the numbers of places in its value, stands before "must" in the refusal.
      */
-    public Misfit misfit(IllegalArgumentException refusal) {
+    public InvalidInput invalid(IllegalArgumentException refusal) {
         Matcher named = Refusal.NAMED.matcher(refusal.getMessage());
         if (!named.matches() || !has(named.group(1)))
-            return new Misfit(place.isEmpty() ? "/" : place, refusal.getMessage());
+            return new InvalidInput(place.isEmpty() ? "/" : place, refusal.getMessage());
         String numbers = named.group(2).replace("]", "").replace('[', '/');
         String axis = named.group(3) == null ? "" : "/" + "xyz".indexOf(named.group(3));
-        return misfit(named.group(1) + numbers + axis, named.group(4));
+        return invalid(named.group(1) + numbers + axis, named.group(4));
     }
 
     /** A refusal, which is made only where something is refused. */

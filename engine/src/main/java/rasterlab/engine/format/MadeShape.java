@@ -33,7 +33,7 @@ public abstract class MadeShape<S, T> implements Shape<T> {
         try {
             return made(value);
         } catch (IllegalArgumentException e) {
-            throw value instanceof Given fields ? fields.misfit(e) : in.misfit(e.getMessage());
+            throw value instanceof Given fields ? fields.invalid(e) : in.invalid(e.getMessage());
         }
     }
 

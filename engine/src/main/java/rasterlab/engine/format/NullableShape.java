@@ -26,7 +26,7 @@ final class NullableShape<T> extends EitherShape<T> {
     private static final class NullShape implements Shape<Void> {
         @Override
         public Void read(ValueSource in) {
-            if (!in.isNull()) throw in.misfit("expected null");
+            if (!in.isNull()) throw in.invalid("expected null");
             return null;
         }
 

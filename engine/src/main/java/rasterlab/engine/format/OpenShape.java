@@ -7,7 +7,7 @@ public class OpenShape implements Shape<Written> {
     /** {@inheritDoc} Nobody reads answers. */
     @Override
     public final Written read(ValueSource in) {
-        throw in.misfit("is written, but not read");
+        throw in.invalid("is written, but not read");
     }
 
     @Override

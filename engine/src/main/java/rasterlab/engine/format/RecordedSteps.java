@@ -50,11 +50,11 @@ public final class RecordedSteps implements Written {
     /**
      * Adds a step to those of one answer.
      *
-     * @throws GivenUp if there are too many
+     * @throws AnswerLimitReached if there are too many
      */
     public static <T> void add(List<T> steps, T step) {
         if (steps.size() == MOST)
-            throw new GivenUp(
+            throw new AnswerLimitReached(
                     "--steps: more than " + MOST + " steps, the most that one answer may have");
         steps.add(step);
     }
@@ -63,7 +63,7 @@ public final class RecordedSteps implements Written {
      * Passes where the steps of an answer are few enough to be kept.
      *
      * @param what is counted, in the plural
-     * @throws Misfit if they are too many
+     * @throws InvalidInput if they are too many
      */
     public static void requireAtMost(long most, String what, long count) {
         requireAtMost("--steps", most, what, count);
@@ -74,11 +74,11 @@ public final class RecordedSteps implements Written {
      *
      * @param place in the input, or the option, that makes it too much
      * @param what is counted, in the plural
-     * @throws Misfit if it is too much
+     * @throws InvalidInput if it is too much
      */
     public static void requireAtMost(String place, long most, String what, long count) {
         if (count > most)
-            throw new Misfit(place, "at most " + most + " " + what + ", got " + count);
+            throw new InvalidInput(place, "at most " + most + " " + what + ", got " + count);
     }
 
     @Override

@@ -15,7 +15,7 @@ public interface Shape<T> {
     /**
      * Reads the value that the input stands on.
      *
-     * @throws Misfit if it is none of this shape
+     * @throws InvalidInput if it is none of this shape
      */
     T read(ValueSource in) throws IOException;
 

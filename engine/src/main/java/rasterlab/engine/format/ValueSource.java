@@ -7,7 +7,7 @@ import java.util.List;
  * Reads values, each of which must be what is asked for.
  *
  * <p>The input stands on the first token of a value. A value that is something else is refused by a
- * {@link Misfit} with the place, the value and what is allowed.
+ * {@link InvalidInput} with the place, the value and what is allowed.
  */
 public interface ValueSource {
     boolean startsObject();
@@ -66,5 +66,5 @@ public interface ValueSource {
     String text(String expected, int least, int most) throws IOException;
 
     /** A complaint about the value that the input stands on, with its place. */
-    Misfit misfit(String reason);
+    InvalidInput invalid(String reason);
 }

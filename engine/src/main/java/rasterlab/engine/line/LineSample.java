@@ -39,10 +39,10 @@ final class LineSample implements Pixels {
     }
 
     /** Stops a method that has drawn as many pixels as are looked at. */
-    private static final class Enough extends RuntimeException {
+    private static final class SampleFull extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
-        Enough() {
+        SampleFull() {
             super("enough", null, false, false);
         }
     }
@@ -56,7 +56,7 @@ final class LineSample implements Pixels {
     PixelRecording of(Consumer<Pixels> line) {
         try {
             line.accept(this);
-        } catch (Enough e) {
+        } catch (SampleFull e) {
             // The sample is full: the method has drawn all that is compared.
         }
         return recording;
@@ -71,7 +71,7 @@ final class LineSample implements Pixels {
 
     private void keep(int x, int y) {
         if (index < to) recording.plot(x, y);
-        else if (drawn < whole) throw new Enough();
+        else if (drawn < whole) throw new SampleFull();
         else beyond(x, y);
     }
 

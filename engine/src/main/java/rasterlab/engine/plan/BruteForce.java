@@ -49,7 +49,7 @@ public final class BruteForce {
                 } catch (IllegalArgumentException refused) {
                     continue;
                 }
-                Enough error = Enough.of(full, out, tolerance);
+                ToleratedDifference error = ToleratedDifference.of(full, out, tolerance);
                 if (!error.within(tolerance)) continue;
                 for (int k = 0; k < rounds && least < HOPELESS * best; k++)
                     least =

@@ -10,4 +10,5 @@ import rasterlab.engine.pipeline.RenderRequest;
  * @param error against the full pipeline
  * @param processor least processor time of several rounds, all threads together, milliseconds
  */
-public record Combination(String name, RenderRequest request, Enough error, double processor) {}
+public record Combination(
+        String name, RenderRequest request, ToleratedDifference error, double processor) {}

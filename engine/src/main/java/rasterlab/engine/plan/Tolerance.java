@@ -5,7 +5,8 @@ package rasterlab.engine.plan;
  *
  * <p>It promises that each channel of each pixel is at most {@code levels} beyond those that the
  * other picture has less than {@code pixels} away, and the other way round, so that nothing is
- * missing either: {@link Enough} measures just that, for plans, their trials and brute force.
+ * missing either: {@link ToleratedDifference} measures just that, for plans, their trials and brute
+ * force.
  *
  * @param pixels how far things may be out of place, above 0
  * @param levels how far a channel of 0 to 255 may be off, at least 0

@@ -2,9 +2,9 @@ package rasterlab.engine.raster;
 
 import java.io.IOException;
 import rasterlab.contract.Pixels;
+import rasterlab.engine.format.AnswerLimitReached;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
-import rasterlab.engine.format.GivenUp;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 
@@ -64,8 +64,8 @@ public final class AnsweredPixels implements Pixels {
         return kept;
     }
 
-    private GivenUp endless() {
-        return new GivenUp(
+    private AnswerLimitReached endless() {
+        return new AnswerLimitReached(
                 method
                         + " does not end: it sent more than "
                         + mostWrites
@@ -74,8 +74,8 @@ public final class AnsweredPixels implements Pixels {
                         + " has");
     }
 
-    public static GivenUp tooMany(String advice) {
-        return new GivenUp(
+    public static AnswerLimitReached tooMany(String advice) {
+        return new AnswerLimitReached(
                 "the answer has more than "
                         + MOST
                         + " pixels, the most that one answer may have; "

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.MadeShape;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.geometry.VertexNumber;
 
@@ -21,23 +21,23 @@ public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
     /**
      * Passes if each corner is one of the vertices.
      *
-     * @throws Misfit with the place of the first that is none
+     * @throws InvalidInput with the place of the first that is none
      */
     public static void require(int[][] faces, int vertices) {
         for (int f = 0; f < faces.length; f++)
             for (int k = 0; k < faces[f].length; k++)
                 if (!VertexNumber.exists(faces[f][k], vertices))
-                    throw new Misfit(
+                    throw new InvalidInput(
                             "/faces/" + f + "/" + k,
                             VertexNumber.refusal("", faces[f][k], vertices));
     }
 
     /** A refusal of a {@link Mesh} with the place of its face. */
-    public static Misfit misfit(IllegalArgumentException refusal) {
+    public static InvalidInput invalid(IllegalArgumentException refusal) {
         Matcher ofFace = Refusal.OF_FACE.matcher(refusal.getMessage());
         return ofFace.matches()
-                ? new Misfit("/faces/" + ofFace.group(1), ofFace.group(2))
-                : new Misfit("/", refusal.getMessage());
+                ? new InvalidInput("/faces/" + ofFace.group(1), ofFace.group(2))
+                : new InvalidInput("/", refusal.getMessage());
     }
 
     /** A refusal, which is made only where something is refused. */

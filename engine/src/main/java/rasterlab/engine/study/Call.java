@@ -1,6 +1,6 @@
 package rasterlab.engine.study;
 
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 
 /**
  * One call of a method from outside.
@@ -13,7 +13,7 @@ public record Call<C>(String name, C method, boolean steps) {
     /**
      * The method as one with steps.
      *
-     * @throws Misfit if it has none
+     * @throws InvalidInput if it has none
      */
     public <S> S stepped(Class<S> type) {
         if (!type.isInstance(method)) throw noSteps();
@@ -21,7 +21,7 @@ public record Call<C>(String name, C method, boolean steps) {
     }
 
     /** A complaint that the method has no steps, which were asked for. */
-    public Misfit noSteps() {
-        return new Misfit("--steps", "method '" + name + "' has no steps");
+    public InvalidInput noSteps() {
+        return new InvalidInput("--steps", "method '" + name + "' has no steps");
     }
 }

@@ -3,10 +3,10 @@ package rasterlab.engine.study;
 import java.io.IOException;
 import java.util.List;
 import java.util.function.Supplier;
+import rasterlab.engine.format.AnswerLimitReached;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.GivenUp;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.ObjectShape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
@@ -72,7 +72,7 @@ public abstract class Format<C, I, O> {
     /**
      * Makes an input of its fields.
      *
-     * @throws Misfit if they do not go together
+     * @throws InvalidInput if they do not go together
      */
     public abstract I read(Given given);
 
@@ -110,9 +110,9 @@ public abstract class Format<C, I, O> {
      * Reads an input, refuses at once what cannot be done, and returns what is left to do: to run
      * the method, which may crash or never end.
      *
-     * @return refuses by {@link IllegalArgumentException}; {@link Misfit} and {@link GivenUp} where
-     *     the answer asked for cannot be had
-     * @throws Misfit if the fields are no input, or ask for too much
+     * @return refuses by {@link IllegalArgumentException}; {@link InvalidInput} and {@link
+     *     AnswerLimitReached} where the answer asked for cannot be had
+     * @throws InvalidInput if the fields are no input, or ask for too much
      */
     public Supplier<Written> prepared(Call<C> call, Given given) {
         return prepared(call, read(given));
@@ -128,7 +128,10 @@ public abstract class Format<C, I, O> {
         return new Run(call, input);
     }
 
-    /** Refuses what could not end within seconds, or a method without steps, by {@link Misfit}. */
+    /**
+     * Refuses what could not end within seconds, or a method without steps, by {@link
+     * InvalidInput}.
+     */
     protected void check(Call<C> call, I input) {}
 
     /** Runs the method and keeps what it answers. */

@@ -15,7 +15,7 @@ import java.util.concurrent.TimeoutException;
  * as a daemon, which does not keep the process alive.
  *
  * <p>On a busy machine a thread waits for its turn, which is no fault of its code: one that wants
- * to run when its limit has passed gets that much processor time, see {@link Starved}.
+ * to run when its limit has passed gets that much processor time, see {@link CpuStarvation}.
  */
 public final class Guard {
     private Guard() {}
@@ -60,7 +60,7 @@ public final class Guard {
                 return new Returned<>(task.get(wait.toNanos(), TimeUnit.NANOSECONDS));
             } catch (TimeoutException e) {
                 Duration passed = Duration.ofNanos(System.nanoTime() - start);
-                wait = Starved.of(thread).more(limit, passed);
+                wait = CpuStarvation.of(thread).more(limit, passed);
             }
             if (wait.isZero()) {
                 task.cancel(true);

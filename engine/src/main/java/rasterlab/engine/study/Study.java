@@ -19,7 +19,7 @@ public record Study(
         String item,
         String errorUnit,
         List<Measurement> measurements,
-        Optional<Circumstances> circumstances) {
+        Optional<StudyConditions> circumstances) {
     private static final double BUSY = 2;
 
     public Study {
@@ -60,6 +60,6 @@ public record Study(
 
     /** Whether it came to its end. */
     public boolean isWhole() {
-        return circumstances.map(Circumstances::whole).orElse(true);
+        return circumstances.map(StudyConditions::whole).orElse(true);
     }
 }

@@ -143,7 +143,7 @@ public final class StudyRunner<C, I, O> {
             fixed.put(load.name(), load.rounds().fixed().all());
         }
         var how =
-                new Circumstances(
+                new StudyConditions(
                         settings,
                         begun,
                         Machine.here(),

@@ -129,8 +129,11 @@ class PlannerTest {
             var full = renderer.render(plan.full(), () -> false);
             var least = renderer.render(plan.from(asked.camera()), () -> false);
             var light = renderer.render(plan.full().with(mixed), () -> false);
-            assertEquals(0, Enough.of(full, least, tolerance).wrong(), plan.decisions().toString());
-            assertEquals(0, Enough.of(full, light, tolerance).wrong(), "mixed light");
+            assertEquals(
+                    0,
+                    ToleratedDifference.of(full, least, tolerance).wrong(),
+                    plan.decisions().toString());
+            assertEquals(0, ToleratedDifference.of(full, light, tolerance).wrong(), "mixed light");
         }
     }
 
@@ -197,8 +200,8 @@ class PlannerTest {
                                 at.rho() * (0.96 + 0.08 * random.nextDouble()));
                 assertTrue(plan.within(camera), camera.toString());
                 RenderRequest full = planner.full(seen(scene, camera, 160, 120));
-                Enough error =
-                        Enough.of(
+                ToleratedDifference error =
+                        ToleratedDifference.of(
                                 renderer.render(full, () -> false),
                                 renderer.render(plan.from(camera), () -> false),
                                 tolerance);

@@ -27,7 +27,7 @@ class GuardTest {
     })
     void onlyWhatRunsIsWaitedForUntilItHasHadItsTime(
             boolean runs, long used, long passed, long more) {
-        var thread = new Starved(runs, Duration.ofMillis(used));
+        var thread = new CpuStarvation(runs, Duration.ofMillis(used));
         assertEquals(
                 Duration.ofMillis(more),
                 thread.more(Duration.ofMillis(100), Duration.ofMillis(passed)));
@@ -37,7 +37,8 @@ class GuardTest {
     void theLastNanosecondIsNotWaitedForInVain() {
         Duration limit = Duration.ofMillis(100);
         assertEquals(
-                Duration.ofMillis(1), new Starved(true, limit.minusNanos(1)).more(limit, limit));
+                Duration.ofMillis(1),
+                new CpuStarvation(true, limit.minusNanos(1)).more(limit, limit));
     }
 
     @Test

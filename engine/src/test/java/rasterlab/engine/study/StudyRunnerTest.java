@@ -104,7 +104,7 @@ class StudyRunnerTest {
     @Test
     void tellsHowItWasMeasured() {
         Study study = measure(List.of(LinesOf.method("right", HazardTrialTest.right())));
-        Circumstances how = study.circumstances().orElseThrow();
+        StudyConditions how = study.circumstances().orElseThrow();
         assertTrue(how.whole());
         assertEquals(SHORT, how.settings());
         assertEquals(3, how.fixed().get("short").size(), "the fixed load has each round too");

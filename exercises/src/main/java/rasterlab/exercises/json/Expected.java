@@ -3,7 +3,7 @@ package rasterlab.exercises.json;
 import java.util.List;
 import java.util.stream.Collectors;
 import rasterlab.engine.format.Field;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.exercises.score.Phrase;
 
 /** A value that is allowed, and the refusals of any other. */
@@ -50,7 +50,7 @@ sealed interface Expected {
         public RuntimeException refused(JsonPlace<?> place) {
             double value = place.node().asDouble();
             return place.node().isNumber() && value == least
-                    ? new Misfit("expected a number above " + least + ", got " + value)
+                    ? new InvalidInput("expected a number above " + least + ", got " + value)
                     : new Number(least, most).refused(place);
         }
     }
@@ -120,7 +120,7 @@ sealed interface Expected {
     record Text(String words) implements Expected {
         @Override
         public RuntimeException refused(JsonPlace<?> place) {
-            return place.saysSomething() ? new Misfit("expected " + words) : none(place);
+            return place.saysSomething() ? new InvalidInput("expected " + words) : none(place);
         }
 
         private static RuntimeException none(JsonPlace<?> place) {
@@ -144,7 +144,7 @@ sealed interface Expected {
         @Override
         public RuntimeException refused(JsonPlace<?> place) {
             if (!place.isArray()) return noArray(place);
-            return new Misfit(
+            return new InvalidInput(
                     "expected an array of %d to %d %s, got %d"
                             .formatted(least, most, what, place.node().size()));
         }

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rasterlab.engine.format.Field;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.score.Phrase;
 
@@ -52,8 +52,8 @@ public final class FieldFaults {
         for (int i = 0; i < MOST; i++) {
             Optional<CatalogueException> fault = fault();
             if (fault.isEmpty()) return;
-            Optional<Misfit> misfit = misfit();
-            String at = misfit.map(Misfit::place).orElse("");
+            Optional<InvalidInput> invalid = invalid();
+            String at = invalid.map(InvalidInput::place).orElse("");
             if (!mended.containsKey(at)) faults.keep(fault.get());
             if (!mend(at)) return;
         }
@@ -63,24 +63,24 @@ public final class FieldFaults {
         try {
             JsonFields.of(place, alone).get(field);
             return Optional.empty();
-        } catch (Misfit misfit) {
-            String said = misfit().orElse(misfit).getMessage();
+        } catch (InvalidInput invalid) {
+            String said = invalid().orElse(invalid).getMessage();
             return Optional.of(
                     new CatalogueException(
-                            Phrase.of("field.wrong", place, Phrase.ofTheEngine(said)), misfit));
+                            Phrase.of("field.wrong", place, Phrase.ofTheEngine(said)), invalid));
         } catch (CatalogueException placed) {
             return Optional.of(placed);
         }
     }
 
     /** This fault with its place as a JSON pointer. */
-    private Optional<Misfit> misfit() {
+    private Optional<InvalidInput> invalid() {
         byte[] text = alone.toString().getBytes(StandardCharsets.UTF_8);
         try {
             StrictJson.read(text, text.length, List.of(field), false);
             return Optional.empty();
-        } catch (Misfit misfit) {
-            return Optional.of(misfit);
+        } catch (InvalidInput invalid) {
+            return Optional.of(invalid);
         }
     }
 

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.util.List;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 
 /**
  * Refuses values of a topic's input, which is read from its beginning to its end: by the place as a
@@ -21,30 +21,30 @@ final class InputRefusals implements Refusals {
     }
 
     @Override
-    public Misfit other(Expected allowed) throws IOException {
-        return misfit("expected " + allowed.words() + ", got " + quoted());
+    public InvalidInput other(Expected allowed) throws IOException {
+        return invalid("expected " + allowed.words() + ", got " + quoted());
     }
 
     @Override
-    public Misfit misfit(String reason) {
+    public InvalidInput invalid(String reason) {
         String pointer = pointer();
-        return new Misfit(pointer.isEmpty() ? "/" : shortened(pointer), reason);
+        return new InvalidInput(pointer.isEmpty() ? "/" : shortened(pointer), reason);
     }
 
     @Override
-    public Misfit misfitOfArray(String reason) {
+    public InvalidInput invalidArray(String reason) {
         String item = pointer();
-        return new Misfit(shortened(item.substring(0, item.lastIndexOf('/'))), reason);
+        return new InvalidInput(shortened(item.substring(0, item.lastIndexOf('/'))), reason);
     }
 
     @Override
-    public Misfit unknown(List<Field<?>> fields) {
-        return misfit("unknown field; allowed are " + new Expected.AnObject(fields).known());
+    public InvalidInput unknown(List<Field<?>> fields) {
+        return invalid("unknown field; allowed are " + new Expected.AnObject(fields).known());
     }
 
     @Override
-    public Misfit missing(Given object, Field<?> field) {
-        return object.misfit(field.name(), "missing");
+    public InvalidInput missing(Given object, Field<?> field) {
+        return object.invalid(field.name(), "missing");
     }
 
     @Override

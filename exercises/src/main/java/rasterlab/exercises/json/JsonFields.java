@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.study.Format;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.score.Phrase;
@@ -167,7 +167,7 @@ public final class JsonFields {
     /**
      * The input that a topic's format makes of these fields.
      *
-     * @throws Misfit if it makes none of them
+     * @throws InvalidInput if it makes none of them
      */
     public <I> I input(Format<?, I, ?> format) {
         return format.read(given(format.input()));

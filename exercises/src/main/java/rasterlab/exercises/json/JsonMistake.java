@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.exercises.score.Phrase;
 
 /** Where a text is not JSON, and why, in words that do not ask for knowledge of the parser. */
@@ -73,9 +73,9 @@ final class JsonMistake {
      *
      * @param reached where the reader stands; an exception about a limit has no place of its own
      */
-    static Misfit misfit(JsonProcessingException e, JsonLocation reached) {
+    static InvalidInput invalid(JsonProcessingException e, JsonLocation reached) {
         JsonLocation at = e.getLocation() == null ? reached : e.getLocation();
-        return new Misfit(place(at), "not JSON: " + reason(e));
+        return new InvalidInput(place(at), "not JSON: " + reason(e));
     }
 
     static String place(JsonLocation at) {

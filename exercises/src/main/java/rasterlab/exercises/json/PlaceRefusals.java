@@ -10,7 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.exercises.score.Phrase;
 
 /** Refuses values of a file of people, in words of its own places. */
@@ -32,13 +32,13 @@ final class PlaceRefusals implements Refusals {
     }
 
     @Override
-    public Misfit misfit(String reason) {
-        return new Misfit(reason);
+    public InvalidInput invalid(String reason) {
+        return new InvalidInput(reason);
     }
 
     @Override
-    public Misfit misfitOfArray(String reason) {
-        return misfit(reason);
+    public InvalidInput invalidArray(String reason) {
+        return invalid(reason);
     }
 
     @Override

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 
 /** Says what is wrong with the value that a reader stands on, in the way of one kind of text. */
 interface Refusals {
@@ -12,10 +12,10 @@ interface Refusals {
     RuntimeException other(Expected allowed) throws IOException;
 
     /** A value of the right kind that cannot be used. */
-    Misfit misfit(String reason);
+    InvalidInput invalid(String reason);
 
     /** The array whose next value the reader stands on. */
-    Misfit misfitOfArray(String reason);
+    InvalidInput invalidArray(String reason);
 
     /** The field that the reader stands on, which is none of these. */
     RuntimeException unknown(List<Field<?>> fields);

@@ -14,7 +14,7 @@ import java.util.List;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.GrowingDoubles;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSource;
 
@@ -63,7 +63,7 @@ public final class StrictJson implements ValueSource {
      * @param text UTF-8, of which the first {@code length} bytes count
      * @param fields the allowed fields
      * @param open whether more are, whose names {@link Given#unknown} tells
-     * @throws Misfit if the text is anything else
+     * @throws InvalidInput if the text is anything else
      */
     public static Given read(byte[] text, int length, List<Field<?>> fields, boolean open) {
         new Utf8Text(text, length).require();
@@ -79,7 +79,7 @@ public final class StrictJson implements ValueSource {
         try {
             return whole(parser, fields, open);
         } catch (JsonProcessingException e) {
-            throw JsonMistake.misfit(e, parser.currentLocation());
+            throw JsonMistake.invalid(e, parser.currentLocation());
         }
     }
 
@@ -87,11 +87,11 @@ public final class StrictJson implements ValueSource {
             throws IOException {
         var refusals = new InputRefusals(parser);
         if (parser.nextToken() == null)
-            throw new Misfit(
+            throw new InvalidInput(
                     "the input is empty; expected " + new Expected.AnObject(fields).words());
         Given given = new StrictJson(parser, refusals).object(open, fields);
         if (parser.nextToken() != null)
-            throw new Misfit(
+            throw new InvalidInput(
                     JsonMistake.place(parser.currentTokenLocation()),
                     refusals.quoted() + " follows the object; expected nothing more");
         return given;
@@ -134,7 +134,7 @@ public final class StrictJson implements ValueSource {
             String name = parser.currentName();
             Field<?> field = named(name, fields);
             if (field == null && !open) throw refusals.unknown(fields);
-            if (given.has(name)) throw misfit("the field is given twice");
+            if (given.has(name)) throw invalid("the field is given twice");
             parser.nextToken();
             if (field != null) given.put(field, field.shape().read(this));
             else passOver(given, name);
@@ -231,10 +231,10 @@ public final class StrictJson implements ValueSource {
     private boolean hasNext(Expected array, int size, int least, int most) throws IOException {
         if (parser.nextToken() == JsonToken.END_ARRAY) {
             if (size >= least) return false;
-            throw misfit("only " + values(size) + "; expected " + array.words());
+            throw invalid("only " + values(size) + "; expected " + array.words());
         }
         if (size < most) return true;
-        throw refusals.misfitOfArray("more than " + values(most) + "; expected " + array.words());
+        throw refusals.invalidArray("more than " + values(most) + "; expected " + array.words());
     }
 
     private static String values(int count) {
@@ -324,7 +324,7 @@ public final class StrictJson implements ValueSource {
     }
 
     @Override
-    public Misfit misfit(String reason) {
-        return refusals.misfit(reason);
+    public InvalidInput invalid(String reason) {
+        return refusals.invalid(reason);
     }
 }

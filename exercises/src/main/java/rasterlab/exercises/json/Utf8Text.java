@@ -5,7 +5,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharsetDecoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 
 /**
  * A text in UTF-8 before it is read as JSON, whose parser takes what is no UTF-8 for the text's end
@@ -20,12 +20,12 @@ record Utf8Text(byte[] bytes, int length) {
      * Passes if all bytes are UTF-8, or the text is in UTF-16 or UTF-32, which the parser reads
      * too.
      *
-     * @throws Misfit with the first byte that is neither, and its place
+     * @throws InvalidInput with the first byte that is neither, and its place
      */
     void require() {
         int broken = isWide() ? length : firstBroken();
         if (broken < length)
-            throw new Misfit(
+            throw new InvalidInput(
                     place(broken),
                     "not UTF-8: byte %02X after %d bytes".formatted(bytes[broken], broken));
     }

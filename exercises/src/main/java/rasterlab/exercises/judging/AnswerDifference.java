@@ -19,7 +19,7 @@ final class AnswerDifference {
     /** The first part of an answer that differs, and how far all of it is from right. */
     static <C, I, O> Message of(Topic<C, I, O> topic, I input, O exact, O actual) {
         if (exact instanceof PixelRecording right && actual instanceof PixelRecording mine)
-            return new PixelsAmiss(right, mine).said();
+            return new PixelErrors(right, mine).said();
         String first = topic.compare(input, exact, actual).first();
         boolean free = OF_MANY_ANSWERS.contains(topic.name()) || isFlattening(input);
         return free && !first.isEmpty()
@@ -36,7 +36,7 @@ final class AnswerDifference {
     static Message kind(Object right, Object actual) {
         return right instanceof PixelRecording wanted
                         && actual instanceof PixelRecording drawn
-                        && new PixelsAmiss(wanted, drawn).isAgainAlone()
+                        && new PixelErrors(wanted, drawn).isAgainAlone()
                 ? Message.of("mistake.again")
                 : Message.NONE;
     }
@@ -52,7 +52,7 @@ final class AnswerDifference {
         return !ordered
                         && wanted instanceof PixelRecording right
                         && actual instanceof PixelRecording mine
-                ? new PixelsAmiss(right, mine).unfit()
+                ? new PixelErrors(right, mine).unfit()
                 : Leaves.unfit(topic, input, wanted, actual);
     }
 }

@@ -172,7 +172,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     /** The item that is told to differ; empty where none is that a method decides on. */
     protected Optional<Differing> differing(I input, O right, O actual, Message said) {
         if (right instanceof PixelRecording wanted && actual instanceof PixelRecording drawn)
-            return new PixelsAmiss(wanted, drawn).first().map(Differing::at);
+            return new PixelErrors(wanted, drawn).first().map(Differing::at);
         return said.place()
                 .flatMap(at -> Differing.at(at, json(input, right), json(input, actual)));
     }

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.function.Function;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Field;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.InputChanged;
@@ -65,14 +65,14 @@ public final class MethodsOnInput<C, I, O> {
         checkFields(format, place, json);
         try {
             return new MethodsOnInput<>(topic, JsonFields.parse(place, json).input(format));
-        } catch (Misfit misfit) {
+        } catch (InvalidInput invalid) {
             throw new CatalogueException(
                     Phrase.of(
                             "field.wrong",
                             place,
                             Phrase.ofTheEngine(
-                                    placed(misfit, format.input(), format.open(), json))),
-                    misfit);
+                                    placed(invalid, format.input(), format.open(), json))),
+                    invalid);
         } catch (CatalogueException placed) {
             throw placed;
         } catch (IllegalArgumentException refused) {
@@ -93,13 +93,14 @@ public final class MethodsOnInput<C, I, O> {
         faults.requireNoneOfAll();
     }
 
-    /** The message of a misfit with its place in the JSON. */
-    private static String placed(Misfit misfit, List<Field<?>> fields, boolean open, String json) {
+    /** The message of an invalid input with its place in the JSON. */
+    private static String placed(
+            InvalidInput invalid, List<Field<?>> fields, boolean open, String json) {
         byte[] text = json.getBytes(StandardCharsets.UTF_8);
         try {
             StrictJson.read(text, text.length, fields, open);
-            return misfit.getMessage();
-        } catch (Misfit same) {
+            return invalid.getMessage();
+        } catch (InvalidInput same) {
             return same.getMessage();
         }
     }

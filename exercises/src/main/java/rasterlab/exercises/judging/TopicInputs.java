@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Random;
 import rasterlab.engine.format.Field;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
@@ -197,9 +197,9 @@ final class TopicInputs<C, I> {
             return format.open()
                     ? openInput(json.toString())
                     : JsonFields.of(place, json, names).input(format);
-        } catch (Misfit misfit) {
+        } catch (InvalidInput invalid) {
             throw new CatalogueException(
-                    Phrase.of("field.wrong", place, Phrase.ofTheEngine(misfit.getMessage())));
+                    Phrase.of("field.wrong", place, Phrase.ofTheEngine(invalid.getMessage())));
         }
     }
 
@@ -217,7 +217,7 @@ final class TopicInputs<C, I> {
     static <I> Optional<I> read(Format<?, I, ?> format, JsonNode json) {
         try {
             return Optional.of(read(format, json.toString()));
-        } catch (Misfit | IllegalArgumentException none) {
+        } catch (InvalidInput | IllegalArgumentException none) {
             return Optional.empty();
         }
     }

@@ -12,7 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.engine.Topics;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
 import rasterlab.engine.study.Format;
@@ -40,7 +40,7 @@ public record Walk(List<JsonNode> steps) {
      * Runs the method.
      *
      * @param input a JSON object
-     * @throws Misfit if it is no input of the topic, or the method has no steps
+     * @throws InvalidInput if it is no input of the topic, or the method has no steps
      * @throws IllegalArgumentException if the method refuses the input
      */
     public static Walk of(String topic, String method, String input) {

@@ -28,8 +28,8 @@ public final class Marking {
     private final Exercise exercise;
     private final List<CaseTrial> cases = new ArrayList<>();
     private final Map<TriedCall, Finding> shown = new IdentityHashMap<>();
-    private Worth byAll;
-    private Worth byOpen;
+    private CasePoints byAll;
+    private CasePoints byOpen;
     private final IdleProgram program = new IdleProgram();
     private Optional<Cause> idle = Optional.empty();
 
@@ -40,8 +40,8 @@ public final class Marking {
 
     private void weigh() {
         List<CaseTrial> open = cases.stream().filter(CaseTrial::open).toList();
-        byAll = new Worth(cases, Charges.wherever(exercise, cases));
-        byOpen = new Worth(open, Charges.once(exercise, open));
+        byAll = new CasePoints(cases, Charges.wherever(exercise, cases));
+        byOpen = new CasePoints(open, Charges.once(exercise, open));
         Optional<Cause> now = program.mistake(cases);
         if (!now.equals(idle)) shown.clear();
         idle = now;
@@ -87,7 +87,7 @@ public final class Marking {
         return tried.open() && byOpen.pays(tried) && !byAll.holdsOnHidden(tried);
     }
 
-    private Worth worth(CaseTrial tried) {
+    private CasePoints worth(CaseTrial tried) {
         return tried.open() ? byOpen : byAll;
     }
 

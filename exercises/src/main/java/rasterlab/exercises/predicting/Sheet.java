@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.judging.InputTemplate;
@@ -72,13 +72,13 @@ public record Sheet(long seed, List<Question> questions) {
                             walk ->
                                     asked(walk, rules).stream()
                                             .allMatch(step -> isAnswerable(step, rules)));
-        } catch (Misfit misfit) {
+        } catch (InvalidInput invalid) {
             throw new CatalogueException(
                     Phrase.of(
                             "field.wrong",
                             Phrase.of("field", place(), "given"),
-                            Phrase.quoted(misfit.getMessage())),
-                    misfit);
+                            Phrase.quoted(invalid.getMessage())),
+                    invalid);
         } catch (IllegalArgumentException refused) {
             return Optional.empty();
         }

@@ -41,9 +41,9 @@ public final class SheetGrading {
         HandedAnswers handed;
         try {
             handed = HandedAnswers.of(exercise, sent);
-        } catch (CatalogueException misfit) {
+        } catch (CatalogueException invalid) {
             return refused(
-                    misfit.all().stream()
+                    invalid.all().stream()
                             .map(one -> Message.of("in-both-languages", one.in("en"), one.in("ru")))
                             .toList());
         }

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.triangulation.Triangles;
-import rasterlab.exercises.property.Relation.Alike;
 import rasterlab.exercises.property.Relation.Answered;
 import rasterlab.exercises.property.Relation.Broken;
+import rasterlab.exercises.property.Relation.Equivalence;
 import rasterlab.exercises.score.Message;
 
 /** Properties of areas: triangles of a polygon have its area together. */
@@ -65,7 +65,7 @@ final class AreaProperties {
         public Optional<Broken<Points, Triangles>> broken(
                 Answered<Points, Triangles> first,
                 List<Answered<Points, Triangles>> beside,
-                Alike<Points, Triangles> alike) {
+                Equivalence<Points, Triangles> alike) {
             double area = Math.abs(doubled(first.input()));
             double sum = doubled(first.input(), first.output());
             if (Math.abs(sum - area) <= ROUNDING * area) return Optional.empty();

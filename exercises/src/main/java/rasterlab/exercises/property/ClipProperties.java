@@ -6,9 +6,9 @@ import java.util.Optional;
 import rasterlab.engine.clip.ClippedEnds;
 import rasterlab.engine.clip.polygon.PolygonInWindow;
 import rasterlab.engine.clip.segment.SegmentsInWindow;
-import rasterlab.exercises.property.Relation.Alike;
 import rasterlab.exercises.property.Relation.Answered;
 import rasterlab.exercises.property.Relation.Broken;
+import rasterlab.exercises.property.Relation.Equivalence;
 
 /** Properties of clipping: what is inside is not changed by clipping it again. */
 final class ClipProperties {
@@ -87,7 +87,7 @@ final class ClipProperties {
         public Optional<Broken<PolygonInWindow, List<double[]>>> broken(
                 Answered<PolygonInWindow, List<double[]>> first,
                 List<Answered<PolygonInWindow, List<double[]>>> again,
-                Alike<PolygonInWindow, List<double[]>> alike) {
+                Equivalence<PolygonInWindow, List<double[]>> alike) {
             for (Answered<PolygonInWindow, List<double[]>> one : again) {
                 double[] piece = one.input().subject();
                 double left = one.output().stream().mapToDouble(ClipProperties::area).sum();

@@ -6,9 +6,9 @@ import java.util.Optional;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.color.ColorSheet;
 import rasterlab.engine.color.Colors;
-import rasterlab.exercises.property.Relation.Alike;
 import rasterlab.exercises.property.Relation.Answered;
 import rasterlab.exercises.property.Relation.Broken;
+import rasterlab.exercises.property.Relation.Equivalence;
 
 /** Properties of colours in several models: they mean the same in each. */
 final class ColorProperties {
@@ -44,7 +44,7 @@ final class ColorProperties {
         public Optional<Broken<Colors, ColorSheet>> broken(
                 Answered<Colors, ColorSheet> first,
                 List<Answered<Colors, ColorSheet>> written,
-                Alike<Colors, ColorSheet> alike) {
+                Equivalence<Colors, ColorSheet> alike) {
             for (Answered<Colors, ColorSheet> one : written)
                 if (!alike.test(one.input(), first.output(), one.output()))
                     return Optional.of(new Broken<>(one, first.output()));

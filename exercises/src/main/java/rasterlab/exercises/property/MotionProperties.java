@@ -6,9 +6,9 @@ import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.axis.AxisTurn;
 import rasterlab.engine.transform.rotate.Turns;
 import rasterlab.engine.transform.view.ViewTask;
-import rasterlab.exercises.property.Relation.Alike;
 import rasterlab.exercises.property.Relation.Answered;
 import rasterlab.exercises.property.Relation.Broken;
+import rasterlab.exercises.property.Relation.Equivalence;
 
 /** Properties of motions: they go back, and keep all distances. */
 final class MotionProperties {
@@ -54,7 +54,7 @@ final class MotionProperties {
         public Optional<Broken<ViewTask, Images>> broken(
                 Answered<ViewTask, Images> first,
                 List<Answered<ViewTask, Images>> beside,
-                Alike<ViewTask, Images> alike) {
+                Equivalence<ViewTask, Images> alike) {
             double[] points = first.input().points();
             double[] images = first.output().coordinates();
             if (images.length != points.length) return Optional.empty();

@@ -12,9 +12,9 @@ import rasterlab.engine.circle.Ellipse;
 import rasterlab.engine.polygon.scan.PolygonTask;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
-import rasterlab.exercises.property.Relation.Alike;
 import rasterlab.exercises.property.Relation.Answered;
 import rasterlab.exercises.property.Relation.Broken;
+import rasterlab.exercises.property.Relation.Equivalence;
 
 /** Properties of figures that are a set of pixels, each once. */
 final class PixelProperties {
@@ -105,7 +105,7 @@ final class PixelProperties {
         public Optional<Broken<PolygonTask, PixelRecording>> broken(
                 Answered<PolygonTask, PixelRecording> whole,
                 List<Answered<PolygonTask, PixelRecording>> parts,
-                Alike<PolygonTask, PixelRecording> alike) {
+                Equivalence<PolygonTask, PixelRecording> alike) {
             PixelSet one = PixelSet.of(parts.get(0).output());
             PixelSet other = PixelSet.of(parts.get(1).output());
             Set<Place> wanted = new TreeSet<>(Place.BY_ROWS);

@@ -29,7 +29,7 @@ public interface Relation<I, O> {
      * @param alike tells whether two answers to an input are the same to the tolerance
      */
     Optional<Broken<I, O>> broken(
-            Answered<I, O> first, List<Answered<I, O>> beside, Alike<I, O> alike);
+            Answered<I, O> first, List<Answered<I, O>> beside, Equivalence<I, O> alike);
 
     /** An input, and what a method answered. */
     record Answered<I, O>(I input, O output) {}
@@ -48,7 +48,7 @@ public interface Relation<I, O> {
 
     /** Tells whether two answers to an input are the same. */
     @FunctionalInterface
-    interface Alike<I, O> {
+    interface Equivalence<I, O> {
         boolean test(I input, O wanted, O answer);
     }
 
@@ -70,7 +70,7 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    Answered<I, O> first, List<Answered<I, O>> beside, Alike<I, O> alike) {
+                    Answered<I, O> first, List<Answered<I, O>> beside, Equivalence<I, O> alike) {
                 for (int i = 0; i < changes.size(); i++) {
                     O wanted = changes.get(i).answer().apply(first.input(), first.output());
                     Answered<I, O> other = beside.get(i);
@@ -102,7 +102,7 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    Answered<I, O> first, List<Answered<I, O>> beside, Alike<I, O> alike) {
+                    Answered<I, O> first, List<Answered<I, O>> beside, Equivalence<I, O> alike) {
                 O known = wanted.apply(first.input(), first.output());
                 Answered<I, O> other = beside.get(0);
                 return alike.test(other.input(), known, other.output())
@@ -126,7 +126,7 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    Answered<I, O> first, List<Answered<I, O>> beside, Alike<I, O> alike) {
+                    Answered<I, O> first, List<Answered<I, O>> beside, Equivalence<I, O> alike) {
                 O known = wanted.apply(first.input(), first.output());
                 return alike.test(first.input(), known, first.output())
                         ? Optional.empty()

@@ -5,9 +5,9 @@ import java.util.Optional;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.function.SplineProblem;
 import rasterlab.engine.spline.function.SplineValues;
-import rasterlab.exercises.property.Relation.Alike;
 import rasterlab.exercises.property.Relation.Answered;
 import rasterlab.exercises.property.Relation.Broken;
+import rasterlab.exercises.property.Relation.Equivalence;
 
 /** Properties of functions made of cubic pieces. */
 final class SplineProperties {
@@ -60,7 +60,7 @@ final class SplineProperties {
         public Optional<Broken<SplineProblem, SplineValues>> broken(
                 Answered<SplineProblem, SplineValues> first,
                 List<Answered<SplineProblem, SplineValues>> beside,
-                Alike<SplineProblem, SplineValues> alike) {
+                Equivalence<SplineProblem, SplineValues> alike) {
             Answered<SplineProblem, SplineValues> all = beside.get(0);
             double[] at = all.input().at();
             double[] y = all.output().y();

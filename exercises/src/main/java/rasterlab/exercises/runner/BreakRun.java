@@ -72,8 +72,8 @@ final class BreakRun {
         HandedInputs inputs;
         try {
             inputs = HandedInputs.of(exercise.topic(), sent, rules.inputs());
-        } catch (CatalogueException misfit) {
-            misfit.all().forEach(one -> said.add(diagnostic(one)));
+        } catch (CatalogueException invalid) {
+            invalid.all().forEach(one -> said.add(diagnostic(one)));
             return report(GradingVerdict.REFUSED, List.of());
         }
         int number = 0;
@@ -86,9 +86,9 @@ final class BreakRun {
         return report(inputs.characters());
     }
 
-    private static Diagnostic diagnostic(CatalogueException misfit) {
+    private static Diagnostic diagnostic(CatalogueException invalid) {
         return new Diagnostic(
-                0, 0, Message.of("in-both-languages", misfit.in("en"), misfit.in("ru")));
+                0, 0, Message.of("in-both-languages", invalid.in("en"), invalid.in("ru")));
     }
 
     /**

@@ -9,7 +9,7 @@ import java.util.Random;
 import rasterlab.engine.border.BorderNumbers;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSource;
 
@@ -228,7 +228,7 @@ final class DrawnSource implements ValueSource {
     }
 
     @Override
-    public Misfit misfit(String reason) {
-        return new Misfit(reason);
+    public InvalidInput invalid(String reason) {
+        return new InvalidInput(reason);
     }
 }

@@ -60,8 +60,8 @@ final class SearchedInputs<C, I, O> {
             return Optional.of(input);
         } catch (IllegalArgumentException | ArithmeticException refused) {
             return Optional.empty();
-        } catch (RuntimeException misfit) {
-            // a misfit, or numbers that the topic's own arithmetic cannot take
+        } catch (RuntimeException invalid) {
+            // an invalid input, or numbers that the topic's own arithmetic cannot take
             return Optional.empty();
         }
     }

@@ -10,7 +10,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Shape;
 import rasterlab.exercises.CatalogueException;
 
@@ -98,7 +98,7 @@ class ShapeSentencesTest {
             return shown(JsonFields.parse("a.json", json, "f").get(Field.required("f", shape)));
         } catch (CatalogueException e) {
             return e.getMessage() + " | " + e.in("ru");
-        } catch (Misfit e) {
+        } catch (InvalidInput e) {
             return e.getMessage();
         }
     }
@@ -108,7 +108,7 @@ class ShapeSentencesTest {
         Field<?> field = Field.required("f", shape);
         try {
             return shown(StrictJson.read(text, text.length, List.of(field), false).get(field));
-        } catch (Misfit e) {
+        } catch (InvalidInput e) {
             return e.getMessage();
         }
     }

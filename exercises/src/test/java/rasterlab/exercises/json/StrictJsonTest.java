@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Shape;
 
 class StrictJsonTest {
@@ -47,8 +47,8 @@ class StrictJsonTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
     void refusesByPlaceValueAndWhatIsAllowed(String fields, String message) {
-        var misfit = assertThrows(Misfit.class, () -> read("{" + fields + "}"));
-        assertEquals(message, misfit.getMessage());
+        var invalid = assertThrows(InvalidInput.class, () -> read("{" + fields + "}"));
+        assertEquals(message, invalid.getMessage());
     }
 
     static Stream<Arguments> mistakes() {
@@ -147,9 +147,9 @@ class StrictJsonTest {
     }
 
     private static String refusal(byte[] text) {
-        Misfit refused =
+        InvalidInput refused =
                 assertThrows(
-                        Misfit.class,
+                        InvalidInput.class,
                         () -> StrictJson.read(text, text.length, List.of(NAME), false));
         return refused.getMessage();
     }

@@ -62,7 +62,7 @@ class Listening(
      * while there are files to load it from: a class that could not be loaded once never will be.
      */
     private fun loadRefusals(inner: InetSocketAddress) {
-        val person = Asker.of("GET / HTTP/1.1\r\nAccept: text/html\r\nAccept-Language: ru")
+        val person = Requester.of("GET / HTTP/1.1\r\nAccept: text/html\r\nAccept-Language: ru")
         val malformed = RequestFraming().feed(ByteBuffer.wrap(byteArrayOf(0)), ByteBuffer.allocate(0))
         listOfNotNull(malformed, TOO_MANY, NO_ENGINE, CLEAR_TEXT).forEach { it.answer(person) }
         for (target in listOf("/nothing", "/api/v1/nothing", "/api/v1/exercises", "/%zz")) {

@@ -25,7 +25,7 @@ internal class Refusal(
         LANGUAGES.associateWith { answer("text/html; charset=utf-8", plainErrorPage(PageTexts.of(it), status, code)) }
 
     /** A page for people, a problem document for programs. */
-    fun answer(asker: Asker): ByteArray = if (asker.person) pages.getValue(asker.language) else problem
+    fun answer(asker: Requester): ByteArray = if (asker.person) pages.getValue(asker.language) else problem
 
     private fun answer(
         type: String,

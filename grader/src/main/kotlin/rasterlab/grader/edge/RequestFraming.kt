@@ -18,7 +18,7 @@ internal class RequestFraming {
     val isWithinRequest get() = state != State.HEAD
 
     /** Who reads the answer to the request that is on its way, or to the last one. */
-    var asker = Asker.UNKNOWN
+    var asker = Requester.UNKNOWN
         private set
 
     /** Bytes of the body or chunk that are still to come. */
@@ -38,7 +38,7 @@ internal class RequestFraming {
                     State.CHUNK_SIZE, State.CHUNK_END, State.TRAILER -> holdLine(input, output)
                 }
             if (refusal != null) {
-                if (state == State.HEAD) asker = Asker.of(text() + Charsets.ISO_8859_1.decode(input))
+                if (state == State.HEAD) asker = Requester.of(text() + Charsets.ISO_8859_1.decode(input))
                 return refusal
             }
         }
@@ -136,7 +136,7 @@ internal class RequestFraming {
             if (name.isEmpty() || name.any { it <= ' ' || it == DELETE }) return BAD_HEADER
             headers.getOrPut(name.lowercase(), ::mutableListOf) += line.substringAfter(':').trim(' ', '\t')
         }
-        asker = Asker.of(head)
+        asker = Requester.of(head)
         val version = lines.first().substringAfterLast(' ')
         val lengths = headers["content-length"].orEmpty()
         val encodings = headers["transfer-encoding"].orEmpty()

@@ -96,7 +96,7 @@ class RuleChange(
         ): Instant =
             try {
                 LocalDateTime.parse(text).atZone(zone).toInstant()
-            } catch (misfit: DateTimeException) {
+            } catch (invalid: DateTimeException) {
                 throw noMoment(field, text, zone)
             }
 
@@ -109,7 +109,7 @@ class RuleChange(
         private fun zone(text: String): ZoneId =
             try {
                 ZoneId.of(text.trim())
-            } catch (misfit: DateTimeException) {
+            } catch (invalid: DateTimeException) {
                 throw Rejection.BadRule("zone", text)
             }
 

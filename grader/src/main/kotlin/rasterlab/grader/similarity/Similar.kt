@@ -57,7 +57,8 @@ class Similar(
     /** @param exercise that students write programs for */
     fun of(exercise: Exercise): LikenessReport {
         val handed = last(exercise.id()).associateBy { it.submission }
-        val alike = Alike(handed.values.map { Program(it.submission, it.student, it.source) }, exercise.starter())
+        val alike =
+            SimilarityFinder(handed.values.map { Program(it.submission, it.student, it.source) }, exercise.starter())
         val pairs = alike.pairs(MOST)
         return LikenessReport(
             handed.size,

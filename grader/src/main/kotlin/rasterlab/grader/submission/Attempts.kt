@@ -12,7 +12,7 @@ import rasterlab.exercises.score.Report
 import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.isForWantOfStorage
+import rasterlab.grader.storage.isStorageFull
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.function.Consumer
@@ -145,7 +145,7 @@ class Attempts(
             try {
                 return write()
             } catch (failure: Exception) {
-                if (stopping() || !failure.isForWantOfStorage()) throw failure
+                if (stopping() || !failure.isStorageFull()) throw failure
                 if (!told) log.warn("what came of an attempt waits for the database: {}", failure.toString())
                 told = true
                 TimeUnit.NANOSECONDS.sleep(Leases.PAUSE.toNanos())

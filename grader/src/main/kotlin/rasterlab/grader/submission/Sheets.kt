@@ -70,8 +70,8 @@ class Sheets(
         ): Long =
             try {
                 HandedAnswers.of(exercise, source.removePrefix("\uFEFF")).sheet().seed()
-            } catch (misfit: CatalogueException) {
-                throw Rejection.BadSheet(misfit)
+            } catch (invalid: CatalogueException) {
+                throw Rejection.BadSheet(invalid)
             }
 
         /** @throws Rejection.BadSheet where it is another attempt's */

@@ -81,7 +81,7 @@ private fun List<FormField>.content(name: String): ByteArray? =
 private fun unpacked(seen: ByteArray): ByteArray =
     try {
         Base64.getDecoder().decode(seen)
-    } catch (misfit: IllegalArgumentException) {
+    } catch (invalid: IllegalArgumentException) {
         throw Rejection.Malformed("the form's field '$SEEN' must be the one that the page has")
     }
 

@@ -38,7 +38,7 @@ class SheetResult private constructor(
             if (exercise?.form() != Exercise.Form.PREDICT) return null
             return try {
                 SheetResult(exercise.topic(), HandedAnswers.of(exercise, source.removePrefix("\uFEFF")))
-            } catch (misfit: CatalogueException) {
+            } catch (invalid: CatalogueException) {
                 // An exercise that has changed may ask for other steps; the report says what it can.
                 null
             }

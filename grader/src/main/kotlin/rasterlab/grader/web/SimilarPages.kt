@@ -29,12 +29,12 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
-import rasterlab.grader.similarity.Alike
 import rasterlab.grader.similarity.HandedProgram
 import rasterlab.grader.similarity.Likeness
 import rasterlab.grader.similarity.LikenessReport
 import rasterlab.grader.similarity.Program
 import rasterlab.grader.similarity.Similar
+import rasterlab.grader.similarity.SimilarityFinder
 import rasterlab.grader.similarity.respondPrograms
 import rasterlab.grader.similarity.written
 import kotlin.math.roundToInt
@@ -144,7 +144,7 @@ private suspend fun ApplicationCall.respondSideBySide(
 ) {
     val texts = texts()
     val programs = listOf(first, second).map { Program(it.submission, it.student, it.source) }
-    val alike = Alike(programs, exercise.starter())
+    val alike = SimilarityFinder(programs, exercise.starter())
     respondPage(texts, who, "${first.name} – ${second.name}") {
         p { a("/instructor/exercises/${exercise.id()}/similarity") { +texts.say("similar.back") } }
         p { +texts.say("similar.marked") }

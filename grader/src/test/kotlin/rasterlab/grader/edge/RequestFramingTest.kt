@@ -61,7 +61,7 @@ class RequestFramingTest {
                 ByteBuffer.wrap(request.toByteArray(Charsets.ISO_8859_1)),
                 ByteBuffer.allocate(1 shl 16),
             )
-        return checkNotNull(refusal).answer(Asker.UNKNOWN).decodeToString()
+        return checkNotNull(refusal).answer(Requester.UNKNOWN).decodeToString()
     }
 
     /** Feeds a text in pieces of any length. */

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
@@ -54,8 +54,8 @@ public final class GivenInput {
         byte[] text = json.getBytes(StandardCharsets.UTF_8);
         try {
             return format.read(StrictJson.read(text, text.length, format.input(), format.open()));
-        } catch (Misfit misfit) {
-            throw new IllegalArgumentException(misfit.getMessage(), misfit);
+        } catch (InvalidInput invalid) {
+            throw new IllegalArgumentException(invalid.getMessage(), invalid);
         }
     }
 }

@@ -17,7 +17,7 @@ import rasterlab.engine.study.Verdict;
  * A stage with what is said to somebody who sees it first: over it what is special about a clicked
  * hazard, on it what to do there.
  */
-public final class StageGuide extends JPanel implements Helped {
+public final class StageGuide extends JPanel implements HasHelp {
     private static final long serialVersionUID = 1L;
 
     /** View units between a stage and the sentence below it. */
@@ -99,7 +99,7 @@ public final class StageGuide extends JPanel implements Helped {
     public static String stageSeenIn(Container place) {
         for (Component child : place.getComponents()) {
             if (!child.isVisible()) continue;
-            if (child instanceof Helped helped) return helped.helpKey();
+            if (child instanceof HasHelp helped) return helped.helpKey();
             String found = child instanceof Container inner ? stageSeenIn(inner) : "";
             if (!found.isEmpty()) return found;
         }

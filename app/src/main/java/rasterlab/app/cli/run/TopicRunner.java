@@ -5,7 +5,7 @@ import java.util.List;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Call;
@@ -78,8 +78,8 @@ public final class TopicRunner<C> {
     public Written answer(String method, byte[] text, int length, boolean steps) {
         try {
             return answered(method, text, length, steps);
-        } catch (Misfit misfit) {
-            throw Complaint.badInput(misfit.getMessage());
+        } catch (InvalidInput invalid) {
+            throw Complaint.badInput(invalid.getMessage());
         }
     }
 
@@ -108,8 +108,8 @@ public final class TopicRunner<C> {
     public List<Written> answerHazard(String method, String hazard, boolean steps) {
         try {
             return answers(format, call(method, steps), hazard);
-        } catch (Misfit misfit) {
-            throw Complaint.badInput(misfit.getMessage());
+        } catch (InvalidInput invalid) {
+            throw Complaint.badInput(invalid.getMessage());
         }
     }
 

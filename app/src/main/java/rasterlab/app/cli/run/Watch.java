@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import rasterlab.app.outcome.Complaint;
-import rasterlab.engine.format.GivenUp;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.AnswerLimitReached;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.study.Guard;
 
 /** Says on the command line that a method refused, crashed or did not end under guard. */
@@ -42,8 +42,9 @@ final class Watch {
 
     private static Complaint explained(String name, Throwable cause) {
         if (cause instanceof Complaint complaint) return complaint;
-        if (cause instanceof Misfit misfit) return Complaint.badInput(misfit.getMessage());
-        if (cause instanceof GivenUp tooMuch) return Complaint.gaveUp(tooMuch.getMessage());
+        if (cause instanceof InvalidInput invalid) return Complaint.badInput(invalid.getMessage());
+        if (cause instanceof AnswerLimitReached tooMuch)
+            return Complaint.gaveUp(tooMuch.getMessage());
         if (cause instanceof IllegalArgumentException refusal)
             return Complaint.refused(name + " refuses: " + refusal.getMessage());
         return Complaint.gaveUp(name + " crashed: " + cause);

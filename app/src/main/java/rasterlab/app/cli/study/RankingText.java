@@ -7,9 +7,9 @@ import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.chart.StudyWords;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Ranking;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.measuring.PaceComparison;
 
 /** The order of a study's methods at each workload, as far as it can be told, as lines of text. */
@@ -100,7 +100,7 @@ final class RankingText {
         if (!hopeless.isEmpty()) add(lines, texts.text("rank.hopeless", hopeless));
     }
 
-    private void addNoise(List<String> lines, Circumstances how) {
+    private void addNoise(List<String> lines, StudyConditions how) {
         add(
                 lines,
                 texts.text(

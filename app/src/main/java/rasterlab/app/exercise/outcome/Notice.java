@@ -13,7 +13,7 @@ import rasterlab.app.language.Texts;
  * @param arguments what stands in its places
  * @param quoted what stands in the place behind them, in the window's language
  */
-public record Notice(String key, List<String> arguments, Said quoted) {
+public record Notice(String key, List<String> arguments, LocalizedText quoted) {
     public static final Notice NONE = of("");
 
     public Notice {
@@ -21,11 +21,11 @@ public record Notice(String key, List<String> arguments, Said quoted) {
     }
 
     public static Notice of(String key, String... arguments) {
-        return new Notice(key, List.of(arguments), Said.NOTHING);
+        return new Notice(key, List.of(arguments), LocalizedText.NOTHING);
     }
 
     /** A notice around a sentence that comes in every language. */
-    public static Notice quoting(String key, Said sentence) {
+    public static Notice quoting(String key, LocalizedText sentence) {
         return new Notice(key, List.of(), sentence);
     }
 

@@ -29,7 +29,7 @@ public record Outcome(
         ScorePoints points,
         List<TriedCase> cases,
         List<Remark> remarks,
-        Said isolation,
+        LocalizedText isolation,
         double nanosPerItem,
         boolean earlier,
         int hints,
@@ -40,7 +40,7 @@ public record Outcome(
      * @param line from 1; 0 where none is known
      * @param column from 1; 0 where none is known
      */
-    public record Remark(int line, int column, Said said) {
+    public record Remark(int line, int column, LocalizedText said) {
         public Remark {
             Bounds.requireAtLeast("line", line, 0);
             Bounds.requireAtLeast("column", column, 0);
@@ -60,7 +60,7 @@ public record Outcome(
             ScorePoints points,
             List<TriedCase> cases,
             List<Remark> remarks,
-            Said isolation,
+            LocalizedText isolation,
             double nanosPerItem,
             boolean earlier,
             int hints) {
@@ -102,7 +102,7 @@ public record Outcome(
             ScorePoints points,
             List<TriedCase> cases,
             List<Remark> remarks,
-            Said isolation,
+            LocalizedText isolation,
             double nanosPerItem,
             boolean earlier) {
         this(source, attempt, verdict, points, cases, remarks, isolation, nanosPerItem, earlier, 0);
@@ -122,9 +122,14 @@ public record Outcome(
                 report.points(),
                 report.cases().stream().map(one -> TriedCase.of(exercise, one)).toList(),
                 report.diagnostics().stream()
-                        .map(one -> new Remark(one.line(), one.column(), Said.of(one::message)))
+                        .map(
+                                one ->
+                                        new Remark(
+                                                one.line(),
+                                                one.column(),
+                                                LocalizedText.of(one::message)))
                         .toList(),
-                Said.of(report::isolation),
+                LocalizedText.of(report::isolation),
                 report.nanosPerItem(),
                 false);
     }

@@ -25,8 +25,8 @@ public record TriedCase(
         String verdict,
         int points,
         int of,
-        Said said,
-        Said rule,
+        LocalizedText said,
+        LocalizedText rule,
         List<TriedPicture> pictures,
         String scene) {
     public TriedCase {
@@ -39,10 +39,10 @@ public record TriedCase(
             String verdict,
             int points,
             int of,
-            Said said,
+            LocalizedText said,
             List<TriedPicture> pictures,
             String scene) {
-        this(name, verdict, points, of, said, Said.NOTHING, pictures, scene);
+        this(name, verdict, points, of, said, LocalizedText.NOTHING, pictures, scene);
     }
 
     static TriedCase of(CaseReport report) {
@@ -51,7 +51,7 @@ public record TriedCase(
                 report.verdict().code(),
                 report.points(),
                 report.of(),
-                Said.of(report::message),
+                LocalizedText.of(report::message),
                 report.pictures().stream().map(TriedPicture::of).toList(),
                 report.scene());
     }
@@ -62,7 +62,7 @@ public record TriedCase(
         return CaseRules.of(exercise, report.name())
                 .map(
                         right ->
-                                new Said(
+                                new LocalizedText(
                                         rule(Language.ENGLISH, right),
                                         rule(Language.RUSSIAN, right)))
                 .map(judged::under)
@@ -82,7 +82,7 @@ public record TriedCase(
         return rule.isEmpty() ? compared : compared + " " + texts.text("rule", rule);
     }
 
-    public TriedCase under(Said next) {
+    public TriedCase under(LocalizedText next) {
         return new TriedCase(name, verdict, points, of, said, next, pictures, scene);
     }
 
@@ -95,7 +95,7 @@ public record TriedCase(
     }
 
     private static TriedCase untried(Exercise.Case one) {
-        return new TriedCase(one.name(), "", 0, one.points(), Said.NOTHING, List.of(), "");
+        return new TriedCase(one.name(), "", 0, one.points(), LocalizedText.NOTHING, List.of(), "");
     }
 
     /**
@@ -116,7 +116,7 @@ public record TriedCase(
     }
 
     public TriedCase withoutVerdict() {
-        return new TriedCase(name, "", 0, of, Said.NOTHING, rule, List.of(), scene);
+        return new TriedCase(name, "", 0, of, LocalizedText.NOTHING, rule, List.of(), scene);
     }
 
     /** Pixels that its pictures show; 0 where it has none. */

@@ -13,9 +13,9 @@ import rasterlab.app.canvas.lab.GivenInput;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
-import rasterlab.app.card.TopicWay;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.light.LightLabState;
 import rasterlab.app.light.TopicBodies;
@@ -74,7 +74,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                         state -> Optional.of(LitInputs.body(state.choice()))));
     }
 
-    private TopicWay<LightLabModel> colors() {
+    private TopicBinding<LightLabModel> colors() {
         return lit("color", Set.of("formula"))
                 .withOwn(
                         LightLabModel::history,
@@ -90,7 +90,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                                                 : Optional.empty()));
     }
 
-    private TopicCard<LightLabModel> card(String topic, TopicWay<LightLabModel> way) {
+    private TopicCard<LightLabModel> card(String topic, TopicBinding<LightLabModel> way) {
         return new TopicCard<>(topic, this, LightColors.OWN, way);
     }
 
@@ -100,7 +100,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
      */
     private <I> TopicCard<LightLabModel> lit(
             Topic<?, I, ?> topic, Set<String> drawnBy, Function<LightLabState, Optional<I>> lit) {
-        TopicWay<LightLabModel> way =
+        TopicBinding<LightLabModel> way =
                 lit(topic.name(), drawnBy)
                         .showingOwn((lab, given, beside) -> own(lab, topic.name(), given, beside))
                         .writing(
@@ -119,7 +119,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
         lab.history().asOne(() -> lab.showOwn(topic, input.map(TopicInput::input), beside));
     }
 
-    private static <I> TopicWay.Writing<LightLabModel> writing(
+    private static <I> TopicBinding.Writing<LightLabModel> writing(
             Topic<?, I, ?> topic, Function<LightLabState, Optional<I>> shown) {
         return lab ->
                 lab.rows().open()
@@ -130,13 +130,13 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     /**
      * @param drawnBy by which of the topic's methods the lab draws
      */
-    private static TopicWay<LightLabModel> lit(String topic, Set<String> drawnBy) {
-        return TopicWay.noted(
+    private static TopicBinding<LightLabModel> lit(String topic, Set<String> drawnBy) {
+        return TopicBinding.noted(
                 (lab, input, method) -> {
                     lab.rows().close();
                     lab.show(topic, input.hazard(), input.input(), method);
                 },
-                new TopicWay.Notes<>(
+                new TopicBinding.Notes<>(
                         (lab, input, method) -> TopicBodies.shownDifferences(input.input(), method),
                         method -> method.equals(OwnMethods.NAME) || drawnBy.contains(method),
                         LightLabModel::tell));

@@ -12,8 +12,8 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.method.MethodColors;
-import rasterlab.app.line.trace.AloneMark;
 import rasterlab.app.line.trace.LineColors;
+import rasterlab.app.line.trace.SingleMethodMark;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelSet;
 
@@ -90,7 +90,7 @@ public record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSe
     private void alone(Graphics2D g, PlaneMap map, StageColors colors, double size) {
         for (int i = 0; i < alone.size(); i++) {
             Rectangle2D pixel = pixel(map, alone.x(i), alone.y(i), size);
-            if (g.getClipBounds().intersects(pixel)) AloneMark.paint(g, colors, pixel);
+            if (g.getClipBounds().intersects(pixel)) SingleMethodMark.paint(g, colors, pixel);
         }
     }
 

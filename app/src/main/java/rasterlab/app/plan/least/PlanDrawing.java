@@ -5,11 +5,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.engine.pipeline.RenderRequest;
-import rasterlab.engine.plan.Enough;
 import rasterlab.engine.plan.Plan;
 import rasterlab.engine.plan.PlanKeeper;
 import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.Tolerance;
+import rasterlab.engine.plan.ToleratedDifference;
 import rasterlab.engine.raster.Raster;
 
 /**
@@ -77,7 +77,7 @@ public final class PlanDrawing {
         boolean changed = last.filter(picture -> picture.plan().isLike(plan)).isPresent();
         if (!changed || last.get().plan() == plan || !plan.saves()) return false;
         RenderRequest before = last.get().plan().least().from(asked.camera());
-        return !Enough.of(maker.picture(before, cancelled), raster, plan.tolerance())
+        return !ToleratedDifference.of(maker.picture(before, cancelled), raster, plan.tolerance())
                 .within(plan.tolerance());
     }
 }

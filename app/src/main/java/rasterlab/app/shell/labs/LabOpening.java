@@ -14,9 +14,9 @@ import rasterlab.app.canvas.lab.NotShown;
 import rasterlab.app.canvas.lab.OpenInLab;
 import rasterlab.app.canvas.method.HazardNote;
 import rasterlab.app.canvas.method.ShownDifference;
+import rasterlab.app.card.TopicBinding;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
-import rasterlab.app.card.TopicWay;
 import rasterlab.app.exercise.OtherTexts;
 import rasterlab.app.exercise.panel.ExerciseRoom;
 import rasterlab.app.mine.OwnMethods;
@@ -106,14 +106,14 @@ public final class LabOpening implements OpenInLab {
     private <M> void showHazard(TopicCard<M> card, TopicInput input, String method) {
         M lab = models.of(card.lab());
         int mine = ++asked;
-        Optional<TopicWay.Notes<M>> notes = card.way().notes();
+        Optional<TopicBinding.Notes<M>> notes = card.way().notes();
         if (notes.isEmpty()) show(card, lab, input, method);
         else background.execute(() -> tryAndShow(card, notes.get(), lab, input, method, mine));
     }
 
     private <M> void tryAndShow(
             TopicCard<M> card,
-            TopicWay.Notes<M> notes,
+            TopicBinding.Notes<M> notes,
             M lab,
             TopicInput input,
             String method,
@@ -133,7 +133,7 @@ public final class LabOpening implements OpenInLab {
 
     /** Tries the method, if there is something to say of it. */
     private <M> Optional<HazardNote> note(
-            TopicWay.Notes<M> notes, M lab, TopicInput input, String method) {
+            TopicBinding.Notes<M> notes, M lab, TopicInput input, String method) {
         if (method.isEmpty()) return Optional.empty();
         Verdict verdict = verdict(models.own().in(named(input.topic())), input.hazard(), method);
         var differences = new ArrayList<>(notes.differences().differences(lab, input, method));
@@ -167,13 +167,13 @@ public final class LabOpening implements OpenInLab {
 
     private <M> void showInput(
             TopicCard<M> card, String json, String method, Optional<Plotted> drawn) {
-        TopicWay<M> way = card.way();
+        TopicBinding<M> way = card.way();
         if (way.cases().isEmpty() && !way.anyInput())
             throw new IllegalArgumentException("no tab reads inputs of topic " + card.topic());
         asked++;
         M lab = models.of(card.lab());
         if (way.cases().isPresent()) {
-            TopicWay.Cases<M> cases = way.cases().get();
+            TopicBinding.Cases<M> cases = way.cases().get();
             cases.show().show(lab, cases.read().apply(json), method, drawn);
         } else {
             Object input = GivenInput.read(named(card.topic()).format(), json);
@@ -219,7 +219,7 @@ public final class LabOpening implements OpenInLab {
 
     private <M> void showOwn(TopicCard<M> card, String json, String beside) {
         String topic = card.topic();
-        TopicWay.ShowOwn<M> showing =
+        TopicBinding.ShowOwn<M> showing =
                 card.way()
                         .own()
                         .orElseThrow(

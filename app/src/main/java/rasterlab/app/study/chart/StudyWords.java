@@ -14,11 +14,11 @@ import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.Topics;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Regime;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.measuring.Machine;
 
@@ -188,7 +188,7 @@ public final class StudyWords {
         return study.circumstances().map(this::measuredOn);
     }
 
-    private String measuredOn(Circumstances how) {
+    private String measuredOn(StudyConditions how) {
         String when =
                 DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT)
                         .withLocale(locale())

@@ -51,7 +51,7 @@ public final class SceneFiles {
     }
 
     /** The view that an earlier run showed. */
-    public static Answer read(ComingBack back) {
+    public static Answer read(RestoredScene back) {
         return read(back.file(), back::read, back.instead());
     }
 

@@ -20,7 +20,7 @@ import rasterlab.app.cli.study.TopicSchemas;
 import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Field;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.json.StrictJson;
@@ -77,7 +77,7 @@ class RefusalPlacesTest {
         try {
             format.read(StrictJson.read(text, text.length, format.input(), format.open()));
             return Optional.empty();
-        } catch (Misfit | IllegalArgumentException refused) {
+        } catch (InvalidInput | IllegalArgumentException refused) {
             return Optional.of(refused.getMessage());
         }
     }

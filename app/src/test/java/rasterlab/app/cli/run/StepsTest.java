@@ -28,7 +28,7 @@ import rasterlab.engine.clip.segment.SteppedSegmentClipper;
 import rasterlab.engine.clip.volume.SteppedVolumeClipper;
 import rasterlab.engine.clip.volume.VolumeClipFormat;
 import rasterlab.engine.clip.volume.VolumeWalk;
-import rasterlab.engine.format.GivenUp;
+import rasterlab.engine.format.AnswerLimitReached;
 import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.polygon.inside.EdgeWalk;
 import rasterlab.engine.polygon.inside.PolygonTestFormat;
@@ -75,7 +75,7 @@ class StepsTest {
     void stepsAreNotKeptBeyondTheMostOfOneAnswer() {
         var steps = new ArrayList<Integer>(Collections.nCopies(999_999, 7));
         RecordedSteps.add(steps, 7);
-        var more = assertThrows(GivenUp.class, () -> RecordedSteps.add(steps, 7));
+        var more = assertThrows(AnswerLimitReached.class, () -> RecordedSteps.add(steps, 7));
         assertEquals(
                 "--steps: more than 1000000 steps, the most that one answer may have",
                 more.getMessage());

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.study.TopicSchemas;
 import rasterlab.engine.Topics;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
@@ -97,7 +97,7 @@ class WrittenInputsTest {
             I read = format.read(StrictJson.read(text, text.length, format.input(), format.open()));
             assertEquals(List.of(), schemas.input().validate(TopicSchemas.tree(json)), json);
             return SameParts.difference(input, read);
-        } catch (Misfit e) {
+        } catch (InvalidInput e) {
             return Optional.of("not read: " + e.place());
         }
     }

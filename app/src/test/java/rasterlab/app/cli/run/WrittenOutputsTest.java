@@ -16,7 +16,7 @@ import rasterlab.app.cli.Ran;
 import rasterlab.app.cli.study.TopicSchemas;
 import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.line.CoverageLine;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Method;
@@ -71,7 +71,7 @@ class WrittenOutputsTest {
         try {
             read(format, json);
             return true;
-        } catch (Misfit e) {
+        } catch (InvalidInput e) {
             return false;
         }
     }

@@ -12,11 +12,11 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.study.CountedStudy;
-import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.measuring.Machine;
@@ -53,7 +53,7 @@ class RankingTextTest {
                         timed("dda", times(10, 0.01), 8),
                         timed("wu", times(10.2, 0.01), 8)),
                 Optional.of(
-                        new Circumstances(
+                        new StudyConditions(
                                 StudySettings.quick(),
                                 Instant.EPOCH,
                                 Machine.here(),

@@ -18,7 +18,7 @@ import rasterlab.app.cli.Ran;
 import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -114,7 +114,7 @@ class TopicSchemaTest {
             Given given = StrictJson.read(text, text.length, format.input(), format.open());
             format.read(given);
             return Optional.empty();
-        } catch (Misfit e) {
+        } catch (InvalidInput e) {
             return Optional.of(e.reason());
         } catch (IllegalArgumentException e) {
             return Optional.of(e.getMessage());

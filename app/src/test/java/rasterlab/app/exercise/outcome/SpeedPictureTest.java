@@ -58,7 +58,7 @@ class SpeedPictureTest {
     private static Outcome measured(Optional<PublishedSpeed> speed) {
         Outcome plain = outcome(GradingVerdict.OK);
         var cases = new ArrayList<>(plain.cases());
-        cases.add(new TriedCase("speed", "ok", 10, 10, Said.NOTHING, List.of(), ""));
+        cases.add(new TriedCase("speed", "ok", 10, 10, LocalizedText.NOTHING, List.of(), ""));
         return new Outcome(
                         plain.source(),
                         plain.attempt(),

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.exercise.ShownResult;
-import rasterlab.app.exercise.outcome.Said;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.TriedPicture;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -162,7 +162,7 @@ class CaseCanvasTest {
                                 new TriedPicture(
                                         CaseCanvas.USUAL.get(i),
                                         PictureBytes.alike(pngs[i]),
-                                        new Said(text, text),
+                                        new LocalizedText(text, text),
                                         part))
                 .toList();
     }

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.exercise.BackgroundWork;
 import rasterlab.app.exercise.ShownResult;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.outcome.VerdictLook;
 import rasterlab.app.language.Language;
@@ -31,7 +31,8 @@ class CaseTableTest {
     private final Texts texts = Texts.of("exercise", Language.RUSSIAN);
 
     private static TriedCase one(String verdict) {
-        return new TriedCase("last-pixel-is-dropped", verdict, 0, 4, Said.NOTHING, List.of(), "");
+        return new TriedCase(
+                "last-pixel-is-dropped", verdict, 0, 4, LocalizedText.NOTHING, List.of(), "");
     }
 
     @Test

@@ -18,9 +18,9 @@ import rasterlab.app.exercise.BackgroundWork;
 import rasterlab.app.exercise.ExerciseState;
 import rasterlab.app.exercise.JoinAnswer;
 import rasterlab.app.exercise.ShownResult;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -33,7 +33,8 @@ class RemarkListTest {
             new Outcome.Remark(
                     5,
                     0,
-                    Said.of(language -> "the class java.lang.Thread is not allowed ".repeat(8)));
+                    LocalizedText.of(
+                            language -> "the class java.lang.Thread is not allowed ".repeat(8)));
 
     @Test
     @DisplayName("a long message is cut off, or scrolled to from left to right")
@@ -77,12 +78,13 @@ class RemarkListTest {
     @Test
     @DisplayName("of two messages about one line only the first is read beside it")
     void messagesOfOnePlaceAreReadTogether() {
-        var one = new Outcome.Remark(5, 0, new Said("exit", "выход"));
-        var other = new Outcome.Remark(5, 0, new Said("random", "случай"));
-        var elsewhere = new Outcome.Remark(5, 9, new Said("type", "тип"));
+        var one = new Outcome.Remark(5, 0, new LocalizedText("exit", "выход"));
+        var other = new Outcome.Remark(5, 0, new LocalizedText("random", "случай"));
+        var elsewhere = new Outcome.Remark(5, 9, new LocalizedText("type", "тип"));
         assertEquals(
                 List.of(
-                        new Outcome.Remark(5, 0, new Said("exit\nrandom", "выход\nслучай")),
+                        new Outcome.Remark(
+                                5, 0, new LocalizedText("exit\nrandom", "выход\nслучай")),
                         elsewhere),
                 RemarkNotices.byPlace(List.of(one, elsewhere, other)));
     }
@@ -110,7 +112,7 @@ class RemarkListTest {
                         new ScorePoints(0, 0, 0, 100),
                         List.of(),
                         List.of(LONG),
-                        Said.NOTHING,
+                        LocalizedText.NOTHING,
                         0,
                         false);
         pane.show(

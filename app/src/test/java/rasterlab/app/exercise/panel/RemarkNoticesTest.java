@@ -9,8 +9,8 @@ import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
 import org.fife.ui.rsyntaxtextarea.parser.ParserNotice;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.language.Language;
 
 class RemarkNoticesTest {
@@ -49,7 +49,7 @@ class RemarkNoticesTest {
 
     private static ParserNotice notice(RSyntaxDocument document, int line, int column) {
         var notices = new RemarkNotices();
-        var remark = new Outcome.Remark(line, column, Said.of(language -> "wrong"));
+        var remark = new Outcome.Remark(line, column, LocalizedText.of(language -> "wrong"));
         notices.show(List.of(remark), Language.ENGLISH);
         return notices.parse(document, SyntaxConstants.SYNTAX_STYLE_JAVA).getNotices().get(0);
     }

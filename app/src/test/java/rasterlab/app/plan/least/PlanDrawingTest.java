@@ -19,8 +19,8 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.direct.Savings;
-import rasterlab.engine.plan.Enough;
 import rasterlab.engine.plan.Tolerance;
+import rasterlab.engine.plan.ToleratedDifference;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
@@ -122,8 +122,8 @@ class PlanDrawingTest {
         assertTrue(apart(renderer.render(full, () -> false), after.raster()).within(TOLERANCE));
     }
 
-    private static Enough apart(Raster one, Raster other) {
-        return Enough.of(one, other, TOLERANCE);
+    private static ToleratedDifference apart(Raster one, Raster other) {
+        return ToleratedDifference.of(one, other, TOLERANCE);
     }
 
     @Test

@@ -64,7 +64,7 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
     @Override
     public SegmentsInWindow read(Given given) {
         GivenWindow window = given.get(GivenWindow.FIELD);
-        if (!window.upright()) throw given.misfit("window", "expected [xmin,ymin,xmax,ymax]");
+        if (!window.upright()) throw given.invalid("window", "expected [xmin,ymin,xmax,ymax]");
         double[] sides = window.numbers();
         return new SegmentsInWindow(
                 new ClipWindow(sides[0], sides[1], sides[2], sides[3]),

@@ -57,7 +57,7 @@ public final class VolumeClipFormat extends Format<VolumeClipper, SegmentsInVolu
         try {
             return new SegmentsInVolume(given.get(ZMIN), PartFormat.rows(given.get(SEGMENTS), 6));
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

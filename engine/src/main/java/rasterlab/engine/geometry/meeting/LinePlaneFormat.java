@@ -12,7 +12,7 @@ import rasterlab.contract.LinePlane;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
@@ -169,7 +169,7 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
         try {
             return new Line(vector(ends, 0), vector(ends, 3));
         } catch (IllegalArgumentException e) {
-            throw given.misfit("line", e.getMessage());
+            throw given.invalid("line", e.getMessage());
         }
     }
 
@@ -177,7 +177,7 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
     private static Plane plane(Given given) {
         boolean byNormal = given.has(NORMAL) && given.has(POINT);
         if (given.has(NORMAL) != given.has(POINT) || byNormal == given.has(PLANE))
-            throw new Misfit(
+            throw new InvalidInput(
                     "/",
                     "expected either plane, or normal and point, got "
                             + String.join(", ", new TreeSet<>(given.names())));
@@ -186,7 +186,7 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
             double[] p = given.get(PLANE);
             return new Plane(Plane.normal(vector(p, 0), vector(p, 3), vector(p, 6)), 0);
         } catch (IllegalArgumentException e) {
-            throw byNormal ? given.misfit(e) : given.misfit("plane", e.getMessage());
+            throw byNormal ? given.invalid(e) : given.invalid("plane", e.getMessage());
         }
     }
 

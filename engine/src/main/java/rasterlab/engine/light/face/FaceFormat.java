@@ -90,7 +90,7 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
                             LightFormat.globalAmbient(given));
             return new FacePoints(face, given.get(POINTS));
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

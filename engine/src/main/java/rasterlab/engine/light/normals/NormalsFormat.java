@@ -75,7 +75,7 @@ final class NormalsFormat extends Format<VertexNormals, TriangleSurface, Images>
         try {
             return new TriangleSurface(given.get(VERTICES), corners);
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

@@ -97,7 +97,7 @@ final class ShadeFormat extends Format<PointShader, LitPoints, Shades> {
                                     LightFormat.light(given),
                                     LightFormat.globalAmbient(given))));
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

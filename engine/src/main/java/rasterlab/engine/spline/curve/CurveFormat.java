@@ -9,7 +9,7 @@ import rasterlab.contract.CurveTracer;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
@@ -97,7 +97,7 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
     @Override
     public CurveTask read(Given given) {
         if (given.has(AT) == given.has(FLATNESS))
-            throw new Misfit(
+            throw new InvalidInput(
                     "/",
                     "expected either at or flatness, got " + (given.has(AT) ? "both" : "neither"));
         given.find(AT).ifPresent(CurveFormat::requireInside);
@@ -119,12 +119,12 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
     private static void requireInside(double[] at) {
         for (int i = 0; i < at.length; i++)
             if (at[i] < 0 || at[i] > 1)
-                throw new Misfit("/at/" + i, "expected a number from 0 to 1, got " + at[i]);
+                throw new InvalidInput("/at/" + i, "expected a number from 0 to 1, got " + at[i]);
     }
 
     private static void requireFlatness(double flatness) {
         if (flatness < SMALLEST || flatness > LARGEST)
-            throw new Misfit(
+            throw new InvalidInput(
                     "/flatness",
                     "expected a number of pixels from %s to %s, got %s"
                             .formatted(SMALLEST, LARGEST, flatness));
@@ -136,7 +136,7 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
             Curve.Kind kind = Curve.Kind.values()[KINDS.indexOf(given.get(KIND))];
             return new Curve(kind, points.xs(), points.ys());
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 
@@ -157,7 +157,7 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
             return;
         }
         if (!(call.method() instanceof SteppedPoint))
-            throw new Misfit(
+            throw new InvalidInput(
                     "--steps",
                     "method '" + call.name() + "' has none for points at given t; give a flatness");
         RecordedSteps.requireAtMost(

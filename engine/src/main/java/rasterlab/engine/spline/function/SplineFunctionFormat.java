@@ -11,8 +11,8 @@ import rasterlab.contract.SplineFunction;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.MadeShape;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
@@ -88,9 +88,9 @@ public final class SplineFunctionFormat
             SplineEnds.Kind kind = KINDS.get(given.get(KIND));
             for (Field<Double> slope : List.of(LEFT, RIGHT))
                 if (kind == SplineEnds.Kind.SLOPES && !given.has(slope))
-                    throw given.misfit(slope.name(), "missing");
+                    throw given.invalid(slope.name(), "missing");
                 else if (kind != SplineEnds.Kind.SLOPES && given.get(slope, 0.0) != 0)
-                    throw given.misfit(
+                    throw given.invalid(
                             slope.name(),
                             "only ends of kind slopes have one, got " + given.get(slope));
             return new SplineEnds(kind, given.get(LEFT, 0.0), given.get(RIGHT, 0.0));
@@ -141,7 +141,7 @@ public final class SplineFunctionFormat
     public SplineProblem read(Given given) {
         int knots = given.get(X).length;
         if (knots != given.get(Y).length)
-            throw new Misfit(
+            throw new InvalidInput(
                     "/y",
                     "expected %d %s as /x has, got %d"
                             .formatted(
@@ -170,7 +170,7 @@ public final class SplineFunctionFormat
     public Supplier<Written> prepared(Call<SplineFunction> call, Given given) {
         SplineProblem problem = read(given);
         if (!given.has(ENDS) && call.method().promise() != SplineFunction.Promise.SHAPE)
-            throw new Misfit("/ends", "missing");
+            throw new InvalidInput("/ends", "missing");
         return () -> answered(call, problem);
     }
 

@@ -73,7 +73,7 @@ final class FilterFormat extends Format<TextureFilter, FilteredPixels, double[]>
         for (int y = 0; y < height; y++) {
             List<Integer> row = rows.get(y);
             if (row.size() != width)
-                throw given.misfit(
+                throw given.invalid(
                         "picture/" + y,
                         "expected %d levels as /picture/0 has, got %d"
                                 .formatted(width, row.size()));
@@ -83,7 +83,7 @@ final class FilterFormat extends Format<TextureFilter, FilteredPixels, double[]>
         try {
             return new FilteredPixels(width, height, argb, given.get(PIXELS));
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

@@ -70,7 +70,7 @@ final class MappingFormat extends Format<TextureMapper, TexturedSpan, Images> {
             return new TexturedSpan(
                     from[0], from[1], from[2], to[0], to[1], to[2], given.get(PIXELS));
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

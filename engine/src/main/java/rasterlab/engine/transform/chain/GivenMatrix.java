@@ -3,7 +3,7 @@ package rasterlab.engine.transform.chain;
 import java.io.IOException;
 import java.util.List;
 import rasterlab.engine.format.EitherShape;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.ValueSource;
@@ -24,13 +24,13 @@ final class GivenMatrix extends EitherShape<double[][]> {
     public double[][] read(ValueSource in) throws IOException {
         if (in.startsObject()) return MatrixFormat.rows(in);
         if (!in.startsArray())
-            throw in.misfit(
+            throw in.invalid(
                     "expected a matrix: an object with its name, or an array of 3 or 4 rows");
         List<double[]> rows = ROWS.read(in);
         for (int i = 0; i < rows.size(); i++)
             if (rows.get(i).length != rows.size())
-                throw new Misfit(
-                        in.misfit("").place() + "/" + i,
+                throw new InvalidInput(
+                        in.invalid("").place() + "/" + i,
                         "expected %d numbers, as many as the matrix has rows, got %d"
                                 .formatted(rows.size(), rows.get(i).length));
         return rows.toArray(double[][]::new);

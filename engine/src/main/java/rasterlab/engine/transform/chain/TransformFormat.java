@@ -9,7 +9,7 @@ import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
@@ -80,7 +80,7 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
         int dimension = dimension(matrices, points);
         for (int i = 0; i < matrices.size(); i++)
             if (matrices.get(i).length != dimension + 1)
-                throw new Misfit(
+                throw new InvalidInput(
                         "/matrices/" + i,
                         "expected %d rows as /matrices/0 has, got %d"
                                 .formatted(dimension + 1, matrices.get(i).length));
@@ -89,7 +89,7 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
         for (int i = 0; i < points.size(); i++) {
             double[] point = points.get(i);
             if (point.length != dimension && point.length != dimension + 1)
-                throw new Misfit(
+                throw new InvalidInput(
                         "/points/" + i,
                         "expected %d numbers, one less than the matrices have rows, or %d, with h, got %d"
                                 .formatted(dimension, dimension + 1, point.length));

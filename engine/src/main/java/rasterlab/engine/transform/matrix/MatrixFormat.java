@@ -92,7 +92,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
         try {
             return NamedMatrices.named(call.name()).rows(call.parameters());
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 
@@ -171,7 +171,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
         for (String field :
                 Stream.concat(given.unknown().stream(), given.names().stream().sorted()).toList())
             if (!field.equals(NAME.name()) && !own.contains(field))
-                throw given.misfit(
+                throw given.invalid(
                         field,
                         matrix.name()
                                 + " has no such parameter; "
@@ -182,7 +182,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
 
     private static double[] otherwise(Given given, MatrixParameter parameter) {
         return new double[] {
-            parameter.otherwise().orElseThrow(() -> given.misfit(parameter.name(), "missing"))
+            parameter.otherwise().orElseThrow(() -> given.invalid(parameter.name(), "missing"))
         };
     }
 
@@ -190,7 +190,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
         try {
             parameter.require(value, i);
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

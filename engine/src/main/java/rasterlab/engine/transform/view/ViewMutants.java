@@ -7,7 +7,7 @@ import rasterlab.engine.study.Mutant;
 
 /** Views from an eye with one mistake. */
 final class ViewMutants {
-    private static final EyeView RIGHT = new TakenApartView();
+    private static final EyeView RIGHT = new DecomposedView();
 
     /** The distance from which nothing but itself would be left of z. */
     private static final double FAR = 1e6;

@@ -32,8 +32,8 @@ public final class ViewTopic implements Topic<EyeView, ViewTask, Images> {
     private static final List<Method<EyeView>> METHODS =
             List.of(
                     Method.right("one-matrix", new OneMatrixView()),
-                    Method.right("taken-apart", new TakenApartView()),
-                    Method.failing("taken-apart-textbook", new TakenApartTextbookView()));
+                    Method.right("taken-apart", new DecomposedView()),
+                    Method.failing("taken-apart-textbook", new DecomposedTextbookView()));
 
     @Override
     public String name() {

@@ -3,6 +3,6 @@
  * what each costs.
  *
  * <p>World: right-handed, z up. Eye: left-handed, x right, y up, z forward. Start with {@link
- * rasterlab.engine.transform.view.TakenApartView}.
+ * rasterlab.engine.transform.view.DecomposedView}.
  */
 package rasterlab.engine.transform.view;

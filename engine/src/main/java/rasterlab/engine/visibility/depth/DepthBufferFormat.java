@@ -8,7 +8,7 @@ import rasterlab.contract.DepthRange;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.InvalidInput;
 import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
@@ -92,14 +92,14 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
         double[] depths = given.get(DEPTHS);
         double[] to = given.get(TO, depths);
         if (given.has(TO) && !given.has(PIXELS))
-            throw new Misfit("/pixels", "missing, to needs it");
+            throw new InvalidInput("/pixels", "missing, to needs it");
         RecordedSteps.requireAtMost(
                 "/pixels",
                 DepthRows.MOST_DEPTHS,
                 "surfaces times pixels",
                 (long) depths.length * given.get(PIXELS, 1));
         if (to.length != depths.length)
-            throw new Misfit(
+            throw new InvalidInput(
                     "/to",
                     "expected %d depths as /depths has, got %d"
                             .formatted(depths.length, to.length));
@@ -110,7 +110,7 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
                     to,
                     given.get(PIXELS, 1));
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

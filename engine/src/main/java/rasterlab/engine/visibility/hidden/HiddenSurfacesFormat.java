@@ -114,7 +114,7 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
                     given.find(PROJECTION).map(Projection::named).orElse(Projection.PERSPECTIVE),
                     new PictureFit(size.get(0), size.get(1), given.get(SCALE, 1.0)));
         } catch (IllegalArgumentException e) {
-            throw VertexNumbers.misfit(e);
+            throw VertexNumbers.invalid(e);
         }
     }
 

@@ -89,7 +89,7 @@ final class DepthTriangleFormat
             return new DepthTriangles(
                     triangles, size.get(0), size.get(1), given.get(BACKGROUND, 1.0));
         } catch (IllegalArgumentException e) {
-            throw given.misfit(e);
+            throw given.invalid(e);
         }
     }
 

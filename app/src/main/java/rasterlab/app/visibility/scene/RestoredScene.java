@@ -12,7 +12,7 @@ import rasterlab.engine.scene.obj.UpAxis;
  * @param up the axis of a model that points up
  * @param before what was shown in its place when its reading began
  */
-public record ComingBack(OpenedFiles.View view, UpAxis up, VisibilityChoice before) {
+public record RestoredScene(OpenedFiles.View view, UpAxis up, VisibilityChoice before) {
     /** A file of it to name. */
     Path file() {
         return view.scene().or(view::picture).orElseThrow();

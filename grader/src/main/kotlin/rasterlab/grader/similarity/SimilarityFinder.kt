@@ -35,7 +35,7 @@ data class AlikePair(
  * Where many programs have a run of tokens, it is the exercise's own way to be written and says nothing about two of them;
  * so pairs are ordered by what few have.
  */
-class Alike(
+class SimilarityFinder(
     private val programs: List<Program>,
     starter: String,
 ) {

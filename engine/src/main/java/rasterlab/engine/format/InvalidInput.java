@@ -1,7 +1,7 @@
 package rasterlab.engine.format;
 
 /** An input that is none: says the place, the value and what is allowed. */
-public final class Misfit extends RuntimeException {
+public final class InvalidInput extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     private final String place;
@@ -10,14 +10,14 @@ public final class Misfit extends RuntimeException {
     /**
      * @param place in the input as a JSON pointer, a line and a column, or an option
      */
-    public Misfit(String place, String reason) {
+    public InvalidInput(String place, String reason) {
         super(place + ": " + reason);
         this.place = place;
         this.reason = reason;
     }
 
     /** A complaint about the input as a whole. */
-    public Misfit(String reason) {
+    public InvalidInput(String reason) {
         super(reason);
         place = "";
         this.reason = reason;

@@ -12,12 +12,12 @@ import rasterlab.exercises.score.Message;
  * Says which pixels of an answer are missing, extra or drawn again, whatever order they come in;
  * where none is, which one comes out of order.
  */
-final class PixelsAmiss {
+final class PixelErrors {
     private final PixelRecording right;
     private final PixelRecording actual;
     private final PixelDifference difference;
 
-    PixelsAmiss(PixelRecording right, PixelRecording actual) {
+    PixelErrors(PixelRecording right, PixelRecording actual) {
         this.right = right;
         this.actual = actual;
         this.difference = PixelDifference.of(right, actual);

@@ -9,11 +9,11 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 
 /** The worth of cases as far as it follows from the given ones alone. */
-final class Worth {
+final class CasePoints {
     private final List<CaseTrial> cases;
     private final Charges charges;
 
-    Worth(List<CaseTrial> cases, Charges charges) {
+    CasePoints(List<CaseTrial> cases, Charges charges) {
         this.cases = List.copyOf(cases);
         this.charges = charges;
     }

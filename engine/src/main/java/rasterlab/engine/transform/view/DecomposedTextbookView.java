@@ -14,7 +14,7 @@ import rasterlab.engine.transform.CountingArithmetic;
  * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "view
  * transformation".
  */
-final class TakenApartTextbookView extends CheckedView implements SteppedView {
+final class DecomposedTextbookView extends CheckedView implements SteppedView {
     @Override
     void view(Angle theta, Angle phi, double rho, double[] points) {
         for (int at = 0; at < points.length; at += 3) {

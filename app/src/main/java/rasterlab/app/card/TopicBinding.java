@@ -25,7 +25,7 @@ import rasterlab.engine.raster.Plotted;
  * @param written tells the input that is shown; empty for a lab that cannot
  * @param <M> the lab's model
  */
-public record TopicWay<M>(
+public record TopicBinding<M>(
         Show<M> show,
         Optional<Notes<M>> notes,
         Optional<Cases<M>> cases,
@@ -82,14 +82,14 @@ public record TopicWay<M>(
     }
 
     /** The way of a lab that shows every input of the topic as it is. */
-    public static <M> TopicWay<M> whole(Show<M> show) {
-        return new TopicWay<>(
+    public static <M> TopicBinding<M> whole(Show<M> show) {
+        return new TopicBinding<>(
                 show, Optional.empty(), Optional.empty(), true, Optional.empty(), Optional.empty());
     }
 
     /** The way of a lab that says beside its picture in what that is unlike an input. */
-    public static <M> TopicWay<M> noted(Show<M> show, Notes<M> notes) {
-        return new TopicWay<>(
+    public static <M> TopicBinding<M> noted(Show<M> show, Notes<M> notes) {
+        return new TopicBinding<>(
                 show,
                 Optional.of(notes),
                 Optional.empty(),
@@ -103,7 +103,7 @@ public record TopicWay<M>(
      *
      * @param history of what is shown
      */
-    public static <M> TopicWay<M> inTurn(
+    public static <M> TopicBinding<M> inTurn(
             Function<M, History<?>> history,
             BiConsumer<M, Object> show,
             BiConsumer<M, String> chooseMethod) {
@@ -117,36 +117,36 @@ public record TopicWay<M>(
                                         }));
     }
 
-    /** This topic's card, which also shows cases of exercises. */
-    public TopicWay<M> reading(Cases<M> cases) {
-        return new TopicWay<>(show, notes, Optional.of(cases), anyInput, own, written);
+    /** This binding, which also shows cases of exercises. */
+    public TopicBinding<M> reading(Cases<M> cases) {
+        return new TopicBinding<>(show, notes, Optional.of(cases), anyInput, own, written);
     }
 
     /**
-     * This topic's card in a lab whose command for the terminal begins with the input.
+     * This binding in a lab whose command for the terminal begins with the input.
      *
      * @param command for what is shown; empty where no command does that
      */
-    public TopicWay<M> writing(String topic, Function<M, Optional<String>> command) {
+    public TopicBinding<M> writing(String topic, Function<M, Optional<String>> command) {
         return writing(
                 (Writing<M>)
                         lab -> command.apply(lab).flatMap(told -> CommandInput.in(topic, told)));
     }
 
-    /** This topic's card in a lab that tells its input. */
-    public TopicWay<M> writing(Writing<M> input) {
-        return new TopicWay<>(show, notes, cases, anyInput, own, Optional.of(input));
+    /** This binding in a lab that tells its input. */
+    public TopicBinding<M> writing(Writing<M> input) {
+        return new TopicBinding<>(show, notes, cases, anyInput, own, Optional.of(input));
     }
 
     /**
-     * This topic's card in a lab that runs the user's own program as one of its methods, all in one
+     * This binding in a lab that runs the user's own program as one of its methods, all in one
      * change.
      *
      * @param history of what is shown
      * @param enter shows the topic with its present input
      * @param compareWith shows a second method; does nothing where the lab shows one at a time
      */
-    public TopicWay<M> withOwn(
+    public TopicBinding<M> withOwn(
             Function<M, History<?>> history,
             Consumer<M> enter,
             BiConsumer<M, String> chooseMethod,
@@ -167,8 +167,8 @@ public record TopicWay<M>(
         return showingOwn(showing);
     }
 
-    /** This topic's card in a lab that shows the user's own program in a way of its own. */
-    public TopicWay<M> showingOwn(ShowOwn<M> showing) {
-        return new TopicWay<>(show, notes, cases, anyInput, Optional.of(showing), written);
+    /** This binding in a lab that shows the user's own program in a way of its own. */
+    public TopicBinding<M> showingOwn(ShowOwn<M> showing) {
+        return new TopicBinding<>(show, notes, cases, anyInput, Optional.of(showing), written);
     }
 }

@@ -10,20 +10,20 @@ import java.time.Duration;
  * @param runs whether it wants to run, rather than to sleep or to wait for a lock
  * @param used processor time that it has had
  */
-record Starved(boolean runs, Duration used) {
+record CpuStarvation(boolean runs, Duration used) {
     /** No machine is taken to be busier: what hangs in the system must end some time. */
     static final int MOST = 100;
 
     private static final Duration LEAST_WAIT = Duration.ofMillis(1);
 
-    static Starved of(Thread thread) {
+    static CpuStarvation of(Thread thread) {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         boolean runs = thread.getState() == Thread.State.RUNNABLE;
         if (!threads.isThreadCpuTimeSupported() || !threads.isThreadCpuTimeEnabled())
-            return new Starved(false, Duration.ZERO);
+            return new CpuStarvation(false, Duration.ZERO);
         // It is negative for a thread that has ended meanwhile.
         long nanos = threads.getThreadCpuTime(thread.getId());
-        return new Starved(runs, Duration.ofNanos(Math.max(0, nanos)));
+        return new CpuStarvation(runs, Duration.ofNanos(Math.max(0, nanos)));
     }
 
     /**

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
  *
  * @param <T> the news
  */
-public final class RareNews<T> {
+public final class ThrottledUpdates<T> {
     private final Consumer<Runnable> tell;
     private final Duration between;
     private final Consumer<T> heard;
@@ -19,7 +19,7 @@ public final class RareNews<T> {
      * @param tell runs what it is given where the news are heard
      * @param between the least time from one to the next
      */
-    public RareNews(Consumer<Runnable> tell, Duration between, Consumer<T> heard) {
+    public ThrottledUpdates(Consumer<Runnable> tell, Duration between, Consumer<T> heard) {
         this.tell = tell;
         this.between = between;
         this.heard = heard;

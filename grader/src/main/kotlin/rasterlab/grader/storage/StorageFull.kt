@@ -16,7 +16,7 @@ private val WANTING =
 private const val KIND = 0xff
 
 /** Whether the same write may succeed later: the disk is full or away, or somebody else has the database. */
-fun Throwable.isForWantOfStorage(): Boolean =
+fun Throwable.isStorageFull(): Boolean =
     generateSequence(this) { it.cause }.any {
         it is SQLTransientConnectionException || (it is SQLiteException && (it.resultCode.code and KIND) in WANTING)
     }

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.raster.Raster;
 
-class EnoughTest {
+class ToleratedDifferenceTest {
     @ParameterizedTest(name = "an edge moved by {0} within {1} px: {2}")
     @CsvSource({
         "0, 0.1, true",
@@ -22,14 +22,16 @@ class EnoughTest {
     void edgeMayMoveAsFarAsTheToleranceSays(int by, double pixels, boolean within) {
         var tolerance = new Tolerance(pixels, 4, 0);
         assertEquals(
-                within, Enough.of(edge(8, 200), edge(8 + by, 200), tolerance).within(tolerance));
+                within,
+                ToleratedDifference.of(edge(8, 200), edge(8 + by, 200), tolerance)
+                        .within(tolerance));
     }
 
     @Test
     void levelsBeyondTheToleranceCount() {
         var tolerance = new Tolerance(1, 4, 0);
-        assertEquals(0, Enough.of(edge(8, 200), edge(8, 204), tolerance).wrong());
-        assertEquals(128, Enough.of(edge(8, 200), edge(8, 205), tolerance).wrong());
+        assertEquals(0, ToleratedDifference.of(edge(8, 200), edge(8, 204), tolerance).wrong());
+        assertEquals(128, ToleratedDifference.of(edge(8, 200), edge(8, 205), tolerance).wrong());
     }
 
     @Test
@@ -37,8 +39,8 @@ class EnoughTest {
         var tolerance = new Tolerance(1, 4, 0);
         var dot = edge(0, 0);
         dot.argb()[8 * 16 + 8] = 0xFFFFFFFF;
-        assertEquals(1, Enough.of(dot, edge(0, 0), tolerance).wrong());
-        assertEquals(1, Enough.of(edge(0, 0), dot, tolerance).wrong());
+        assertEquals(1, ToleratedDifference.of(dot, edge(0, 0), tolerance).wrong());
+        assertEquals(1, ToleratedDifference.of(edge(0, 0), dot, tolerance).wrong());
     }
 
     @ParameterizedTest

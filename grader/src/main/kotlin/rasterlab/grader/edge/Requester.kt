@@ -6,18 +6,18 @@ import rasterlab.grader.problem.isForPrograms
 import rasterlab.grader.web.LANGUAGE_COOKIE
 
 /** Who reads the answer to a request: a person in a browser, in one of our languages, or a program. */
-internal class Asker(
+internal class Requester(
     val person: Boolean,
     val language: String,
 ) {
     companion object {
-        val UNKNOWN = Asker(person = false, LANGUAGES.first())
+        val UNKNOWN = Requester(person = false, LANGUAGES.first())
 
         /**
          * The asker as told by what has come of a request's head, which may be cut off or
          * malformed.
          */
-        fun of(head: String): Asker {
+        fun of(head: String): Requester {
             val lines = head.split("\r\n", "\n")
             val target = lines.first().split(' ').getOrElse(1) { "" }
             val headers =
@@ -25,7 +25,7 @@ internal class Asker(
                     it.substringBefore(':').trim().lowercase() to it.substringAfter(':', "").trim()
                 }
             val person = "text/html" in headers["accept"].orEmpty() && !isForPrograms(target.substringBefore('?'))
-            return Asker(person, language(target, headers))
+            return Requester(person, language(target, headers))
         }
 
         private fun language(

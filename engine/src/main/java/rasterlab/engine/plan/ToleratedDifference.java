@@ -14,10 +14,10 @@ import rasterlab.engine.raster.Raster;
  * @param wrong pixels that are beyond by more than the tolerance's levels
  * @param pixels of the picture
  */
-public record Enough(double levels, long wrong, long pixels) {
+public record ToleratedDifference(double levels, long wrong, long pixels) {
 
     /** Compares both ways, so that what is missing counts as what is too much. */
-    public static Enough of(Raster full, Raster least, Tolerance tolerance) {
+    public static ToleratedDifference of(Raster full, Raster least, Tolerance tolerance) {
         int[] offsets = offsets(tolerance.pixels());
         long wrong = 0;
         int most = 0;
@@ -35,7 +35,7 @@ public record Enough(double levels, long wrong, long pixels) {
                 most = Math.max(most, off);
                 if (off > tolerance.levels()) wrong++;
             }
-        return new Enough(most, wrong, (long) width * height);
+        return new ToleratedDifference(most, wrong, (long) width * height);
     }
 
     /** Wrong pixels as a share of all. */

@@ -11,7 +11,7 @@ import java.awt.geom.Rectangle2D;
 import rasterlab.app.canvas.StageColors;
 
 /** A lozenge: of two methods only one lights this pixel, be it right or wrong. */
-public final class AloneMark extends FlatAbstractIcon {
+public final class SingleMethodMark extends FlatAbstractIcon {
     private static final int SIZE = 16;
 
     /** View units of a pixel from which on a lozenge can be told from a square. */
@@ -20,7 +20,7 @@ public final class AloneMark extends FlatAbstractIcon {
     /** View units of a crowded pixel's mark: wider than the exact curve. */
     private static final double SMALLEST_DOT = 3;
 
-    public AloneMark() {
+    public SingleMethodMark() {
         super(SIZE, SIZE, null);
     }
 

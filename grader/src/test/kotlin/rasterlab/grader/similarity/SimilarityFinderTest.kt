@@ -7,13 +7,13 @@ import org.junit.jupiter.api.Test
 import kotlin.random.Random
 
 /** Programs whose parts are alike are found, whatever else was changed in them. */
-class AlikeTest {
+class SimilarityFinderTest {
     private fun program(
         student: String,
         body: String,
     ) = Program("of-$student", student, "class Own {\n$body\n}\n")
 
-    private fun pairs(vararg programs: Program) = Alike(programs.toList(), STARTER).pairs(10)
+    private fun pairs(vararg programs: Program) = SimilarityFinder(programs.toList(), STARTER).pairs(10)
 
     @Test
     @DisplayName("new names, comments, brackets and another layout hide that a program was copied")
@@ -36,7 +36,7 @@ class AlikeTest {
         val own = "int sum(int[] all) { int s = 0; for (int one : all) s += one; return s; }\n"
         val pair = pairs(program("ada", MIDPOINT), program("eve", own + SLOPE + MIDPOINT)).single()
         assertTrue(pair.shared > 0.9, "$pair")
-        val copied = Alike(listOf(pair.first, pair.second), STARTER).lines(pair.second, pair.first)
+        val copied = SimilarityFinder(listOf(pair.first, pair.second), STARTER).lines(pair.second, pair.first)
         assertTrue(4 in copied && 2 !in copied, "$copied")
     }
 
@@ -50,7 +50,7 @@ class AlikeTest {
     @DisplayName("what the starter gives to all makes programs alike")
     fun starterIsTakenOut() {
         val programs = listOf("ada", "eve").map { Program(it, it, STARTER.replace("given", it)) }
-        val alike = Alike(programs, STARTER)
+        val alike = SimilarityFinder(programs, STARTER)
         assertEquals(emptyList<AlikePair>(), alike.pairs(10))
         assertEquals(programs, alike.leftOut)
     }
@@ -60,7 +60,7 @@ class AlikeTest {
     fun commonRunsAreNotRare() {
         val usual = ('a'..'h').map { program("$it", MIDPOINT) }
         val two = listOf("ada", "eve").map { program(it, MIDPOINT + SLOPE) }
-        val pairs = Alike(usual + two, STARTER).pairs(100)
+        val pairs = SimilarityFinder(usual + two, STARTER).pairs(100)
         assertEquals(listOf("ada", "eve"), listOf(pairs[0].first.student, pairs[0].second.student))
         assertTrue(pairs[0].rare > 0)
         assertTrue(pairs.drop(1).all { it.rare == 0 }, "$pairs")
@@ -77,7 +77,7 @@ class AlikeTest {
     fun badSourcesAreLeftOut() {
         val deep = "int x() { return ${"(1 + ".repeat(20_000)}1${")".repeat(20_000)}; }"
         val bad = listOf(program("ada", "int x( {"), program("eve", deep), Program("empty", "empty", ""))
-        assertEquals(bad, Alike(bad, STARTER).leftOut)
+        assertEquals(bad, SimilarityFinder(bad, STARTER).leftOut)
     }
 
     @Test

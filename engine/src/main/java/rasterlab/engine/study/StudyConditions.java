@@ -17,7 +17,7 @@ import rasterlab.engine.study.measuring.Machine;
  *     machine's noise beside each workload, by its name
  * @param whole whether it came to its end; what was measured before it was cancelled is there
  */
-public record Circumstances(
+public record StudyConditions(
         StudySettings settings,
         Instant begun,
         Machine machine,
@@ -25,7 +25,7 @@ public record Circumstances(
         double loadAfter,
         Map<String, List<Double>> fixed,
         boolean whole) {
-    public Circumstances {
+    public StudyConditions {
         fixed = Map.copyOf(fixed);
     }
 }

@@ -29,7 +29,7 @@ import kotlin.time.Duration.Companion.seconds
 
 /** The database is locked, or its disk full, while submissions wait and are graded; then it is free again. */
 @Tag("slow")
-class WantOfStorageTest {
+class StorageFullTest {
     @TempDir
     lateinit var folder: Path
     private val clock = InstantSource.system()
