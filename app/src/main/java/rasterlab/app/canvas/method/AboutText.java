@@ -100,9 +100,19 @@ public final class AboutText extends JEditorPane {
         }
         parts.put("formula", texts.text(key + ".formula"));
         parts.put("decision", decision);
-        parts.put(LETTERS, texts.has(LETTERS) ? texts.text(LETTERS) : "");
+        parts.put(LETTERS, "");
         for (String part : List.of("invariant", "cost", "failures", "source"))
             parts.put(part, texts.text(key + "." + part));
+        if (texts.has(LETTERS))
+            parts.put(
+                    LETTERS,
+                    LetterLegend.of(
+                            texts.text(LETTERS),
+                            parts.get("formula")
+                                    + "; "
+                                    + decision
+                                    + "; "
+                                    + parts.get("invariant")));
         return parts;
     }
 
