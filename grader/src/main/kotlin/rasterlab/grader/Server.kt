@@ -22,6 +22,8 @@ import rasterlab.exercises.Grading
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.adjustment.adjustments
+import rasterlab.grader.classroom.LastResults
+import rasterlab.grader.classroom.errors
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
@@ -72,6 +74,7 @@ import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.submissions
 import rasterlab.grader.web.ErrorPage
 import rasterlab.grader.web.PageParts
+import rasterlab.grader.web.classroom.errorPages
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
@@ -127,6 +130,7 @@ class Server(
     private val live = Live()
     private val submissions = Submissions(database)
     private val similar = Similar(database)
+    private val last = LastResults(database)
     private val reports = Reports(database)
     private val adjustments = Adjustments(database, clock)
     private val results = Results(submissions, reports, live, exercises, rules, adjustments, clock)
@@ -196,6 +200,7 @@ class Server(
         routing {
             monitoring(database, isolation, meters)
             pages(pageParts, ENTRY)
+            errorPages(accounts, courses, exercises, last)
             route("/api/v1") {
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
@@ -210,6 +215,7 @@ class Server(
                     studentRecords(records, exercises::ending)
                     hints(exercises, hints, courses)
                     similarity(exercises, similar)
+                    errors(courses, exercises, last)
                     submissions(exercises, intake, queue, choices)
                     adjustments(submissions, adjustments)
                     results(results, live)

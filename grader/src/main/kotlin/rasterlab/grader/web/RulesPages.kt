@@ -94,6 +94,7 @@ private suspend fun ApplicationCall.respondRules(
                     tr {
                         th { +texts.say("rules.exercise") }
                         (RuleField.entries - RuleField.ZONE).forEach { th { +texts.say("rules.column.${it.code}") } }
+                        th { +texts.say("rules.column.class") }
                     }
                 }
                 tbody {
@@ -109,6 +110,13 @@ private suspend fun ApplicationCall.respondRules(
                             td { +rules.lateDays?.toString().orEmpty() }
                             td { +rules.attempts?.toString().orEmpty() }
                             td { +texts.say("rules.policy.${rules.policy.code}") }
+                            td {
+                                a("${rulesAddress(course, exercise)}/errors") {
+                                    attributes["aria-label"] =
+                                        "${texts.say("errors.heading")}: ${exercise.title(texts.language)}"
+                                    +texts.say("errors.link")
+                                }
+                            }
                         }
                     }
                 }

@@ -127,7 +127,7 @@ fun FlowOrPhrasingContent.status(
     }
 }
 
-private fun sign(kind: String) =
+internal fun sign(kind: String) =
     when (kind) {
         "ok" -> "✓"
         "wrong" -> "✕"

@@ -1,0 +1,231 @@
+/*
+ * A class seen as a whole: which cases fail, and for whom.
+ * Read LastResults, ErrorMap, DifferenceSum, then ErrorRoutes; everything here is for staff.
+ */
+package rasterlab.grader.classroom
+
+import org.jdbi.v3.core.Handle
+import rasterlab.exercises.score.CasePicture
+import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.Disclosure
+import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.PicturePart
+import rasterlab.exercises.score.PixelRows
+import rasterlab.grader.storage.Database
+import java.security.MessageDigest
+import kotlin.jvm.optionals.getOrNull
+
+/**
+ * A student's result for one case.
+ *
+ * @param said why it failed; nothing where the verdict tells all
+ * @param picture hash of the picture of the answer; empty where there is none
+ * @param pixels whether its difference is a picture of pixels
+ */
+class CaseMark(
+    val name: String,
+    val visibility: Disclosure,
+    val verdict: GradingVerdict,
+    val said: Message,
+    val picture: String,
+    val pixels: Boolean,
+) {
+    val passed get() = verdict == GradingVerdict.OK
+}
+
+/**
+ * The result that counts of the last submission that a student has graded.
+ *
+ * @param name of the student as it is shown
+ * @param cases without the lines on speed and on points that are taken off; none where nothing ran
+ * @param shared the mistake that the report tells to explain all that is wrong; nothing where it tells none
+ */
+class LastResult(
+    val student: String,
+    val name: String,
+    val submission: String,
+    val attempt: Int,
+    val verdict: String,
+    val cases: List<CaseMark>,
+    val shared: Message,
+)
+
+/** Rows of characters that show where an answer of the last results differs, and which pixels they are. */
+class DrawnDifference(
+    val rows: List<String>,
+    val part: PicturePart,
+)
+
+/** Reads the last results of a class. */
+class LastResults(
+    private val database: Database,
+) {
+    /** Reads those of a course for an exercise, in the order of the students' names. */
+    fun of(
+        course: String,
+        exercise: String,
+    ): List<LastResult> =
+        database.read { handle ->
+            val pictures = pictures(handle, course, exercise)
+            val cases = cases(handle, course, exercise, pictures)
+            val shared = shared(handle, course, exercise)
+            handle
+                .last(
+                    course,
+                    exercise,
+                    "students.id AS student, students.shown_name, last.id, last.attempt, last.result, last.verdict",
+                    "JOIN students ON students.id = last.student_id",
+                    "ORDER BY students.shown_name, students.number",
+                ).map { row, _ ->
+                    LastResult(
+                        row.getString("student"),
+                        row.getString("shown_name"),
+                        row.getString("id"),
+                        row.getInt("attempt"),
+                        row.getString("verdict"),
+                        cases[row.getString("result")].orEmpty(),
+                        shared[row.getString("result")] ?: Message.NONE,
+                    )
+                }.list()
+        }
+
+    /** The differences in pixels of one case. */
+    fun differences(
+        course: String,
+        exercise: String,
+        case: String,
+    ): List<DrawnDifference> =
+        database.read { handle ->
+            handle
+                .last(
+                    course,
+                    exercise,
+                    "drawn.text, drawn.part",
+                    """JOIN case_results AS judged ON judged.result_id = last.result AND judged.name = :case
+                       JOIN case_pictures AS drawn ON drawn.result_id = last.result
+                           AND drawn.case_position = judged.position AND drawn.kind = '${CasePicture.DIFFERENCE}'""",
+                    "AND drawn.part IS NOT NULL",
+                ).bind("case", case)
+                .map { row, _ -> difference(row.getString("text"), row.getString("part")) }
+                .list()
+                .filterNotNull()
+        }
+
+    private fun difference(
+        text: String,
+        part: String,
+    ): DrawnDifference? {
+        val known = PicturePart.ofData(part).getOrNull() ?: return null
+        return DrawnDifference(PixelRows.of(text, PicturePart.ofData(part)), known)
+    }
+
+    private fun cases(
+        handle: Handle,
+        course: String,
+        exercise: String,
+        pictures: Map<Pair<String, Int>, Pictures>,
+    ): Map<String, List<CaseMark>> =
+        handle
+            .last(
+                course,
+                exercise,
+                "judged.*",
+                "JOIN case_results AS judged ON judged.result_id = last.result",
+                "ORDER BY judged.position",
+            ).map { row, _ ->
+                val result = row.getString("result_id")
+                val drawn = pictures[result to row.getInt("position")]
+                val verdict = GradingVerdict.valueOf(row.getString("verdict"))
+                val said =
+                    if (verdict in TOLD) {
+                        Message.ofData(row.getString("message_data"), row.getString("message"))
+                    } else {
+                        Message.NONE
+                    }
+                result to
+                    CaseMark(
+                        row.getString("name"),
+                        Disclosure.valueOf(row.getString("visibility")),
+                        verdict,
+                        said,
+                        drawn?.answer.orEmpty(),
+                        drawn?.pixels ?: false,
+                    )
+            }.list()
+            .filter { (_, mark) -> CaseReport.ownTitle(mark.name, "en").isEmpty }
+            .groupBy({ it.first }, { it.second })
+
+    private fun shared(
+        handle: Handle,
+        course: String,
+        exercise: String,
+    ): Map<String, Message> =
+        handle
+            .last(
+                course,
+                exercise,
+                "said.result_id, said.message, said.message_data",
+                "JOIN diagnostics AS said ON said.result_id = last.result",
+                "AND said.message_data LIKE '%\"cause.shared%'",
+            ).map { row, _ ->
+                row.getString("result_id") to Message.ofData(row.getString("message_data"), row.getString("message"))
+            }.list()
+            .toMap()
+
+    private fun pictures(
+        handle: Handle,
+        course: String,
+        exercise: String,
+    ): Map<Pair<String, Int>, Pictures> {
+        val found = HashMap<Pair<String, Int>, Pictures>()
+        handle
+            .last(
+                course,
+                exercise,
+                """drawn.result_id, drawn.case_position, drawn.kind, drawn.part,
+                   CASE WHEN drawn.kind = '${CasePicture.ACTUAL}' THEN drawn.png END AS answer""",
+                "JOIN case_pictures AS drawn ON drawn.result_id = last.result",
+                "AND drawn.kind IN ('${CasePicture.ACTUAL}', '${CasePicture.DIFFERENCE}')",
+            ).map { row, _ ->
+                val of = found.getOrPut(row.getString("result_id") to row.getInt("case_position")) { Pictures() }
+                row.getBytes("answer")?.let { of.answer = hash(it) }
+                if (row.getString("kind") == CasePicture.DIFFERENCE && row.getString("part") != null) of.pixels = true
+            }.list()
+        return found
+    }
+
+    private class Pictures {
+        var answer = ""
+        var pixels = false
+    }
+
+    /** A question about the last results, as the rows of `last`. */
+    private fun Handle.last(
+        course: String,
+        exercise: String,
+        columns: String,
+        joined: String,
+        more: String,
+    ) = createQuery("$LAST SELECT $columns FROM last $joined WHERE back = 1 $more")
+        .bind("course", course)
+        .bind("exercise", exercise)
+
+    private companion object {
+        /** Verdicts whose words tell one wrong answer from another, and are the same for the same program. */
+        val TOLD = setOf(GradingVerdict.WRONG, GradingVerdict.RUNTIME_ERROR)
+
+        /** Selects them as the rows of `last` whose `back` is 1; what the server's own fault left is nobody's result. */
+        const val LAST = """WITH last AS (
+            SELECT s.id, s.student_id, s.attempt, r.id AS result, r.verdict,
+                row_number() OVER (PARTITION BY s.student_id ORDER BY s.sequence DESC) AS back
+            FROM students AS enrolled
+            JOIN submissions AS s ON s.student_id = enrolled.id AND s.exercise = :exercise
+            JOIN results AS r ON r.submission_id = s.id AND r.is_current = 1
+            WHERE enrolled.course_id = :course AND r.verdict <> 'internal')"""
+    }
+}
+
+/** Hash of what is shown, to tell whether two answers are one. */
+internal fun hash(bytes: ByteArray): String =
+    MessageDigest.getInstance("SHA-256").digest(bytes).joinToString("") { "%02x".format(it) }
