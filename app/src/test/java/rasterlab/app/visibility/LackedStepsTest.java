@@ -43,7 +43,7 @@ class LackedStepsTest {
         var readings = new VisibilityReadings(model, texts);
         assertEquals(there, !readings.timeline().equals("no steps"), readings.timeline());
         assertEquals(
-                there, !readings.work().get(0).equals("none; painter and zfloat have"), method);
+                there, !readings.work().get(0).equals("none; try painter or zfloat"), method);
         assertEquals(there, model.lastStep() > 0, "steps of " + method);
         assertEquals(there, shown("steps.scroll"), "list of steps of " + method);
         assertTrue(there || model.state().drawn().isEmpty(), "what " + method + " drew");
