@@ -151,6 +151,10 @@ public final class Bench implements Callable<Integer> {
             rounds.add(timings(new Runner(options(goals).build()).run()));
         console.out().println();
         new GoalTable(goals, rounds).print(words, console.out());
+        if (goals.stream().anyMatch(goal -> goal.benchmark() == CurveBenchmark.class)) {
+            console.out().println();
+            SegmentCounts.print(words, console.out());
+        }
         return 0;
     }
 
