@@ -6,6 +6,7 @@ import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -114,6 +115,11 @@ final class FoundWords {
         }
         if (winners.isEmpty() && open.isEmpty()) return texts.text("wins.none");
         if (open.size() == rankings.size()) return texts.text("wins.openAll");
+        if (winners.size() == 1 && open.isEmpty() && rankings.size() > 1) {
+            Map.Entry<String, List<String>> only = winners.entrySet().iterator().next();
+            if (only.getValue().size() == rankings.size())
+                return texts.text("wins.all", only.getKey());
+        }
         var said = new ArrayList<String>();
         if (!winners.isEmpty())
             said.add(

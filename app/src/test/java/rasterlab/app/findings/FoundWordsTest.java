@@ -80,6 +80,18 @@ class FoundWordsTest {
     }
 
     @Test
+    @DisplayName("all workloads are listed where one method wins everywhere")
+    void winnerOfAllIsToldInShort() {
+        Measurement small = timed("taken-apart", "points-16", 10, 0, Verdict.Kind.EXACT);
+        Measurement large = timed("taken-apart", "points-256", 10, 0, Verdict.Kind.EXACT);
+        assertTrue(
+                said(small, large)
+                        .startsWith("The quickest exact method at every workload: taken-apart.\n"));
+        Measurement open = timed("one-matrix", "points-256", 10, 0.5, Verdict.Kind.DEGRADED);
+        assertTrue(said(small, open).startsWith("The quickest exact method: taken-apart (16 "));
+    }
+
+    @Test
     @DisplayName("exactness is said to cost nothing where times are not told apart")
     void priceIsToldOnlyWhereIntervalsPart() {
         Measurement wide =

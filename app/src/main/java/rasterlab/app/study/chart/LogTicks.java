@@ -5,6 +5,9 @@ import rasterlab.app.chart.PowersOfTen;
 
 /** Numbers on a logarithmic axis: the multiples 1 to 9 of a power of ten, and how they are said. */
 public final class LogTicks {
+    /** The least number whose digits stand in groups of three. */
+    private static final int GROUPED = 10_000;
+
     private LogTicks() {}
 
     /** Whether both are the same multiple, however they were computed. */
@@ -20,8 +23,10 @@ public final class LogTicks {
 
     /** A short decimal from 0.001 to a million, beyond that with a power of ten: "10⁻⁷". */
     public static String label(double value, Locale locale) {
-        if (value >= 0.000999 && value < 999_999)
-            return String.format(locale, "%.3f", value).replaceFirst("[.,]?0+$", "");
+        if (value >= 0.000999 && value < 999_999) {
+            String form = value < GROUPED ? "%.3f" : "%,.3f";
+            return String.format(locale, form, value).replaceFirst("[.,]?0+$", "");
+        }
         return withPower(value, locale);
     }
 

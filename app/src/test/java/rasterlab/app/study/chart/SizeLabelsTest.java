@@ -11,6 +11,7 @@ import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.regex.MatchResult;
@@ -203,6 +204,15 @@ class SizeLabelsTest {
         assertEquals("10⁷", LogTicks.size(10_000_000));
         assertEquals("1000", LogTicks.size(1000));
         assertEquals("65536", LogTicks.size(65536));
+    }
+
+    @Test
+    @DisplayName("the digits of a large number on an axis run together")
+    void largeNumbersOfAnAxisAreGrouped() {
+        assertEquals("200,000", LogTicks.label(200_000, Locale.ENGLISH));
+        assertEquals("10\u00a0000", LogTicks.label(10_000, Language.RUSSIAN.locale()));
+        assertEquals("5000", LogTicks.label(5_000, Locale.ENGLISH));
+        assertEquals("0.001", LogTicks.label(0.001, Locale.ENGLISH));
     }
 
     private static String svg(Study study) {
