@@ -123,7 +123,7 @@ class FoundWordsTest {
     }
 
     @Test
-    @DisplayName("a refusal or a degraded answer counts as a failure at a workload")
+    @DisplayName("a refusal or an acceptable answer counts as a failure at a workload")
     void firstFailureIsNoRefusal() {
         Measurement[] measured = {
             failed("convex", "points-16", Verdict.Kind.REFUSED),
@@ -136,8 +136,8 @@ class FoundWordsTest {
                 told.contains(
                         "Methods first fail at the workload “256 points”: loose (crashed),"
                                 + " taken-apart (wrong). The first workload that a method refuses"
-                                + " is “16 points”: convex. The first workload with a degraded"
-                                + " answer, usable but not exact, is “64 points”: one-matrix."),
+                                + " is “16 points”: convex. The first workload with an answer"
+                                + " that is acceptable but not exact is “64 points”: one-matrix."),
                 told);
         String russian = said(NONE, Language.RUSSIAN, measured);
         assertTrue(
@@ -171,8 +171,8 @@ class FoundWordsTest {
                 hardest(Language.ENGLISH, refused, refused, refused));
         assertEquals("No method fails on any hazard.", hardest(Language.ENGLISH, degraded));
         assertEquals(
-                "The hazard that most methods fail on is X: 2 of 5; 2 refuse it; 1 gives a"
-                        + " degraded answer.",
+                "The hazard that most methods fail on is X: 2 of 5; 2 refuse it; 1 gives an"
+                        + " acceptable answer.",
                 hardest(
                         Language.ENGLISH,
                         Verdict.Kind.WRONG,
