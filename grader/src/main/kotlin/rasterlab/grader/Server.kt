@@ -24,6 +24,10 @@ import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.adjustment.adjustments
 import rasterlab.grader.classroom.LastResults
 import rasterlab.grader.classroom.errors
+import rasterlab.grader.comment.Comments
+import rasterlab.grader.comment.KeptComments
+import rasterlab.grader.comment.comments
+import rasterlab.grader.comment.courseComments
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
@@ -75,6 +79,9 @@ import rasterlab.grader.submission.submissions
 import rasterlab.grader.web.ErrorPage
 import rasterlab.grader.web.PageParts
 import rasterlab.grader.web.classroom.errorPages
+import rasterlab.grader.web.comment.CommentedSource
+import rasterlab.grader.web.comment.commentPages
+import rasterlab.grader.web.comment.questionPages
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
@@ -133,6 +140,8 @@ class Server(
     private val last = LastResults(database)
     private val reports = Reports(database)
     private val adjustments = Adjustments(database, clock)
+    private val comments = Comments(database, clock)
+    private val keptComments = KeptComments(database, clock)
     private val results = Results(submissions, reports, live, exercises, rules, adjustments, clock)
     private val intake = Intake(database, settings.intake, clock)
     private val choices = Choices(database)
@@ -165,6 +174,8 @@ class Server(
             queue,
             results,
             adjustments,
+            comments,
+            CommentedSource(comments, keptComments, courses),
             similar,
             live,
             isolation,
@@ -201,6 +212,8 @@ class Server(
             monitoring(database, isolation, meters)
             pages(pageParts, ENTRY)
             errorPages(accounts, courses, exercises, last)
+            commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
+            questionPages(accounts, courses, exercises, comments, keptComments)
             route("/api/v1") {
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
@@ -218,6 +231,8 @@ class Server(
                     errors(courses, exercises, last)
                     submissions(exercises, intake, queue, choices)
                     adjustments(submissions, adjustments)
+                    comments(submissions, comments)
+                    courseComments(courses, comments, keptComments)
                     results(results, live)
                 }
             }

@@ -175,6 +175,19 @@ sealed class Rejection(
         id: String,
     ) : Explained("regrades", "unknown", arrayOf(id), "unknown-regrade")
 
+    /** A comment that cannot be written or changed so; nothing is changed. */
+    class BadComment(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("comments", fault, values, "bad-comment")
+
+    /** The comment is none of this submission, or not kept in this course. */
+    class UnknownComment(
+        id: String,
+    ) : Explained("comments", "unknown", arrayOf(id), "unknown-comment")
+
+    class ForeignComment : Explained("comments", "foreign", emptyArray(), "foreign-comment")
+
     /** Work came before the exercise opens. */
     class NotOpen(
         exercise: String,
@@ -322,11 +335,11 @@ sealed class Rejection(
 fun Rejection.status(): HttpStatusCode =
     when (this) {
         is Rejection.NotSignedIn -> Unauthorized
-        is Rejection.WrongRole, is Rejection.ForeignOrigin -> Forbidden
+        is Rejection.WrongRole, is Rejection.ForeignOrigin, is Rejection.ForeignComment -> Forbidden
         is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
-        is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment -> NotFound
+        is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment, is Rejection.UnknownComment -> NotFound
         is Rejection.RegradeStands -> Conflict
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity

@@ -63,12 +63,23 @@ data class KeptExtension(
     val reason: String,
 )
 
+/**
+ * Words of the student about a submission, or of staff.
+ *
+ * @param thread id of the comment that it answers; null where it begins a thread
+ * @param name of who wrote it; empty for the first instructor
+ */
 @Serializable
 data class KeptComment(
+    val id: String,
     val submission: String,
+    val thread: String?,
     val line: Int?,
+    val lastLine: Int?,
+    val name: String,
     val text: String,
     val writtenAt: String,
+    val editedAt: String?,
 )
 
 /**
@@ -188,11 +199,7 @@ class StudentRecords(
                 hints = handle.of("hints", "taken_at", student, ::hint),
                 submissions = handle.of("submissions", "sequence", student) { submission(it, results, points) },
                 comments =
-                    handle.rows(
-                        "SELECT c.* FROM comments c JOIN submissions s ON s.id = c.submission_id $OWN ORDER BY written_at",
-                        student,
-                        ::comment,
-                    ),
+                    handle.rows("$SAID $OWN ORDER BY c.written_at, c.id", student, ::comment),
             ) ?: throw Rejection.UnknownStudent(student)
     }
 
@@ -224,10 +231,15 @@ class StudentRecords(
 
     private fun comment(row: ResultSet) =
         KeptComment(
+            row.getString("id"),
             row.getString("submission_id"),
+            row.getString("thread_id"),
             row.getInt("line").takeUnless { row.wasNull() },
+            row.getInt("last_line").takeUnless { row.wasNull() },
+            row.getString("author_name").orEmpty(),
             row.getString("text"),
             row.getString("written_at"),
+            row.getString("edited_at"),
         )
 
     private fun result(row: ResultSet) =
@@ -274,12 +286,22 @@ class StudentRecords(
         const val THEIRS = "SELECT id FROM submissions WHERE student_id = :student"
         const val RUNS = "SELECT id FROM results WHERE submission_id IN ($THEIRS)"
 
-        /** The requests that made the student, their submissions and their hints. */
-        const val MADE = "made = :student OR made IN ($THEIRS) OR owner = 'hints ' || :student"
+        const val SAID =
+            """SELECT c.*, coalesce(students.shown_name, instructors.name) AS author_name FROM comments c
+               JOIN submissions s ON s.id = c.submission_id
+               LEFT JOIN students ON students.id = c.author_id LEFT JOIN instructors ON instructors.id = c.author_id"""
+
+        /** The requests that made the student, their submissions, what was said about these, and their hints. */
+        const val MADE =
+            """made = :student OR made IN ($THEIRS) OR owner = 'hints ' || :student
+               OR made IN (SELECT id FROM comments WHERE submission_id IN ($THEIRS))"""
 
         /** Deletes what refers to something before that. */
         val DELETIONS =
-            listOf("DELETE FROM regrade_items WHERE submission_id IN ($THEIRS)") +
+            listOf(
+                "DELETE FROM regrade_items WHERE submission_id IN ($THEIRS)",
+                "DELETE FROM idempotency_keys WHERE $MADE",
+            ) +
                 listOf("case_pictures", "case_results", "diagnostics", "speed_methods").map {
                     "DELETE FROM $it WHERE result_id IN ($RUNS)"
                 } +
@@ -288,7 +310,6 @@ class StudentRecords(
                     "comments",
                     "adjustments",
                 ).map { "DELETE FROM $it WHERE submission_id IN ($THEIRS)" } +
-                "DELETE FROM idempotency_keys WHERE $MADE" +
                 listOf("submissions", "hints", "extensions", "roster_fields").map {
                     "DELETE FROM $it WHERE student_id = :student"
                 } +

@@ -77,8 +77,13 @@ private fun FlowContent.subject(one: AuditEntry) {
     val name = one.subjectName ?: one.subject
     when {
         one.subjectName == null -> +name
-        one.action.startsWith("points") -> a("/submissions/${one.subject}") { +name }
+
+        one.action.startsWith(
+            "points",
+        ) || one.action.startsWith("comment") -> a("/submissions/${one.subject}") { +name }
+
         one.action.startsWith("regrade") -> a("/instructor/regrades/${one.subject}") { +name }
+
         else -> +name
     }
 }

@@ -70,8 +70,11 @@ fun Route.entering(
 }
 
 /** The fields of a small form. */
-suspend fun ApplicationCall.receiveForm(): Parameters =
-    utf8(receiveAtMost(FORM_BYTES)) { Rejection.Malformed("the form is not UTF-8 text: $it") }
+suspend fun ApplicationCall.receiveForm(): Parameters = receiveForm(FORM_BYTES)
+
+/** The fields of a form of at most [limit] bytes. */
+suspend fun ApplicationCall.receiveForm(limit: Int): Parameters =
+    utf8(receiveAtMost(limit)) { Rejection.Malformed("the form is not UTF-8 text: $it") }
         .replace("+", "%20")
         .parseUrlEncodedParameters()
 

@@ -24,6 +24,7 @@ import kotlinx.html.stream.createHTML
 import kotlinx.html.summary
 import kotlinx.html.ul
 import rasterlab.exercises.runner.Isolation
+import rasterlab.grader.comment.Comments
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
@@ -45,12 +46,14 @@ fun Route.instructorPages(
     courses: Courses,
     exercises: Exercises,
     submissions: Submissions,
+    comments: Comments,
     hints: Hints,
     live: Live,
     isolation: Isolation,
 ) {
     get("/instructor") {
-        call.respondDesk(call.staffHere(accounts), courses, exercises, submissions, hints.latest(), isolation)
+        val who = call.staffHere(accounts)
+        call.respondDesk(who, courses, exercises, submissions, comments.openCounts(), hints.latest(), isolation)
     }
     get("/instructor/latest") {
         call.staffHere(accounts)
@@ -116,6 +119,7 @@ private suspend fun ApplicationCall.respondDesk(
     courses: Courses,
     exercises: Exercises,
     submissions: Submissions,
+    questions: Map<String, Int>,
     hints: List<HintUse>,
     isolation: Isolation,
 ) {
@@ -126,7 +130,7 @@ private suspend fun ApplicationCall.respondDesk(
         div("columns") {
             section("card") {
                 h2 { +texts.say("instructor.courses") }
-                courseList(texts, students, mayChange)
+                courseList(texts, students, questions, mayChange)
             }
             if (mayChange) {
                 creation(texts)
@@ -167,10 +171,14 @@ private fun FlowContent.creation(texts: PageTexts) =
         }
     }
 
-/** @param mayChange whether who looks may change courses, and not only see them */
+/**
+ * @param questions how many wait, by the course's id
+ * @param mayChange whether who looks may change courses, and not only see them
+ */
 private fun FlowContent.courseList(
     texts: PageTexts,
     courses: Map<Course, List<Enrolled>>,
+    questions: Map<String, Int>,
     mayChange: Boolean,
 ) {
     if (courses.isEmpty()) p { +texts.say(if (mayChange) "instructor.none" else "assistant.none") }
@@ -185,6 +193,9 @@ private fun FlowContent.courseList(
                 p("ways") {
                     a("/instructor/courses/${course.id}/students") { +texts.say("instructor.roster") }
                     a("/instructor/courses/${course.id}/exercises") { +texts.say("instructor.rules") }
+                    a("/instructor/courses/${course.id}/questions") {
+                        +texts.say("instructor.questions", questions[course.id] ?: 0)
+                    }
                     if (mayChange) a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }
                 }
                 details {

@@ -10,6 +10,7 @@ import io.ktor.server.plugins.ratelimit.rateLimit
 import io.ktor.server.routing.Route
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.adjustment.Adjustments
+import rasterlab.grader.comment.Comments
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
@@ -43,11 +44,10 @@ fun Route.pages(
     exercisePages(accounts, rules, exercises, sheets, hints, submissions, intake, queue, clock)
     choicePages(accounts, choices)
     hintPages(accounts, exercises, hints)
-    val resultPage = ResultPage(exercises, submissions, results, adjustments)
     resultPages(accounts, exercises, submissions, results, resultPage)
     markingPages(accounts, courses, exercises, submissions, adjustments, regrades, resultPage)
     similarPages(accounts, exercises, similar)
-    instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
+    instructorPages(accounts, courses, exercises, submissions, comments, hints, live, isolation)
     rulesPages(accounts, courses, exercises, rules)
     regradePages(accounts, courses, exercises, regrades, queue, live)
     rosterPages(accounts, courses, roster, submissions, marks)
@@ -78,8 +78,12 @@ class PageParts(
     val queue: GradingQueue,
     val results: Results,
     val adjustments: Adjustments,
+    val comments: Comments,
+    handed: HandedView,
     val similar: Similar,
     val live: Live,
     val isolation: Isolation,
     val clock: InstantSource,
-)
+) {
+    val resultPage = ResultPage(exercises, submissions, results, adjustments, handed)
+}

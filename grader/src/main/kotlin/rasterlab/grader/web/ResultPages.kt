@@ -9,12 +9,10 @@ import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import kotlinx.html.FlowContent
-import kotlinx.html.details
 import kotlinx.html.div
 import kotlinx.html.id
 import kotlinx.html.p
 import kotlinx.html.stream.createHTML
-import kotlinx.html.summary
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.score.Disclosure
 import rasterlab.grader.adjustment.Adjustments
@@ -76,12 +74,29 @@ private fun FlowContent.deadline(
 suspend fun ApplicationCall.respondFragment(html: String) =
     respondText(html, ContentType.Text.Html.withCharset(Charsets.UTF_8))
 
+/** Shows what was handed in, on the page of its submission, with what there is to say about it. */
+fun interface HandedView {
+    /**
+     * @param title of that part of the page
+     * @param typed what a form of the page held that was refused, or null
+     */
+    fun show(
+        place: FlowContent,
+        texts: PageTexts,
+        who: Identity,
+        submission: Submission,
+        title: String,
+        typed: Parameters?,
+    )
+}
+
 /** The page of one submission; to an instructor it has the forms for points beside. */
 class ResultPage(
     private val exercises: Exercises,
     private val submissions: Submissions,
     private val results: Results,
     private val adjustments: Adjustments,
+    private val handed: HandedView,
 ) {
     suspend fun show(
         call: ApplicationCall,
@@ -91,7 +106,7 @@ class ResultPage(
     /** Has what was typed shown again where what [call] goes on to do with it is refused. */
     fun showAgain(
         call: ApplicationCall,
-        who: Identity.Instructor,
+        who: Identity,
         typed: Parameters,
     ) = call.attributes.put(
         FORM_AGAIN,
@@ -130,10 +145,8 @@ class ResultPage(
                 }
                 result(texts, view, submission.source, files, sheet)
             }
-            details {
-                summary { +texts.say(if (files.asksForPrograms) "result.source" else "result.handed") }
-                sourceLines(submission.source)
-            }
+            val title = texts.say(if (files.asksForPrograms) "result.source" else "result.handed")
+            handed.show(this, texts, who, submission, title, typed)
             if (who is Identity.Instructor && view.verdict != null) {
                 marking(texts, submission, adjustments.of(submission.id), typed)
             }

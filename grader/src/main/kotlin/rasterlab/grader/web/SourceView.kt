@@ -1,21 +1,38 @@
 package rasterlab.grader.web
 
 import kotlinx.html.FlowContent
+import kotlinx.html.LI
 import kotlinx.html.code
 import kotlinx.html.li
 import kotlinx.html.ol
 import kotlinx.html.pre
 
 /** More lines than people write; those behind them are shown without numbers, which cost ten times as much. */
-private const val NUMBERED_MOST = 5_000
+internal const val NUMBERED_MOST = 5_000
 private const val SHOWN_BEFORE = 150
 private const val SHOWN_MOST = 300
 
-/** A source with its lines numbered. */
-fun FlowContent.sourceLines(source: String) {
+/**
+ * A source with its lines numbered.
+ *
+ * @param marked whether something is said about that line
+ * @param behind what stands below that line
+ */
+fun FlowContent.sourceLines(
+    source: String,
+    marked: (Int) -> Boolean = { false },
+    behind: LI.(Int) -> Unit = {},
+) {
     val rest = lineStart(source, NUMBERED_MOST + 1)?.takeIf { it < source.length }
     val numbered = source.substring(0, rest ?: source.length).removeSuffix("\n").removeSuffix("\r")
-    ol("source") { numbered.lineSequence().forEach { li { code { +it } } } }
+    ol("source") {
+        numbered.lineSequence().forEachIndexed { index, line ->
+            li("noted".takeIf { marked(index + 1) }) {
+                code { +line }
+                behind(index + 1)
+            }
+        }
+    }
     if (rest != null) pre("source") { code { +source.substring(rest) } }
 }
 

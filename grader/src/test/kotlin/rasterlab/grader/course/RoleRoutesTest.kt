@@ -158,6 +158,13 @@ class RoleRoutesTest {
         val others = List(2) { newStudent(made.text("code")) }
         val submissions = listOf(student, others[0]).map { it to submit(it).json().text("id") }
         submissions.forEach { (token, id) -> eventsToTheEnd(token, id) }
+        val question =
+            client
+                .prepareRequest("/api/v1/submissions/${submissions[0].second}/comments") {
+                    method = HttpMethod.Post
+                    bearer(student)
+                    json("""{"text":"Why?"}""")
+                }.execute { it.json() }
         val id = checkNotNull(Accounts(database, InstantSource.system()).holder(student)).id
         return Place(
             listOf(null, student, others[0], assistants[0].token, instructor),
@@ -173,6 +180,8 @@ class RoleRoutesTest {
                 "token" to others[1],
                 "regrade" to "none",
                 "adjustment" to "none",
+                "comment" to question.text("id"),
+                "kept" to "none",
                 "case" to "open-case",
                 "picture" to "actual.png",
                 "name" to "dot.svg",

@@ -95,6 +95,31 @@ class TablesTest {
             }
         }
 
+    @Test
+    @DisplayName("a comment of version 16 is lost or waits for an answer, or none of its lines can be answered")
+    fun keepsWhatWasSaidBefore() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("11")
+                fill(source, 11)
+                Tables(source).migrate("16")
+                source.execute("INSERT INTO comments VALUES ('k', 's', 3, 'i', 'why?', '$THEN')")
+                source.execute("INSERT INTO comments VALUES ('l', 's', NULL, 'i', 'fine', '$THEN')")
+                Tables(source).migrate()
+                assertWhole(source, 11)
+                source.assertRows(
+                    "id, line, last_line, thread_id, author_id, text, is_open, edited_at FROM comments",
+                    "k 3 3 null i why? 0 null",
+                    "l null null null i fine 0 null",
+                )
+                source.execute(
+                    """INSERT INTO comments (id, submission_id, author_id, text, written_at, thread_id)
+                       VALUES ('m', 's', 'a', 'so', '$THEN', 'k')""",
+                )
+                source.execute("INSERT INTO kept_comments VALUES ('q', 'c', 'names', 'Say it.', 'i', '$THEN')")
+            }
+        }
+
     private fun sqlite(): DataSource =
         SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
             .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }

@@ -56,6 +56,8 @@ class StudentRecordsTest {
                     .text("accuracy"),
             )
             assertEquals("fine", submission.list("points").single().field("reason"))
+            val said = data.list("comments").map { one -> listOf("name", "line", "lastLine", "text").map(one::field) }
+            assertEquals(listOf(listOf("Ada", "1", "2", "why?"), listOf("", "null", "null", "so")), said)
             val files = unzipped(look(instructor, "/api/v1/students/$student/export?as=zip").bodyAsBytes())
             assertEquals(setOf("student.json", "draw-dot/attempt-1.java"), files.keys)
             assertEquals("class Dot { int mine; }", files["draw-dot/attempt-1.java"])
@@ -123,9 +125,14 @@ class StudentRecordsTest {
             )
             handle.execute("INSERT INTO roster_fields SELECT id, 'section', '1' FROM students")
             handle.execute(
-                """INSERT INTO comments SELECT 'c' || id, id, 1, 'i', 'why?', '2026-03-01T12:00:00.000Z'
-                   FROM submissions""",
+                """INSERT INTO comments (id, submission_id, line, last_line, author_id, text, written_at)
+                   SELECT 'c' || id, id, 1, 2, student_id, 'why?', '2026-03-01T12:00:00.000Z' FROM submissions""",
             )
+            handle.execute(
+                """INSERT INTO comments (id, submission_id, thread_id, author_id, text, written_at)
+                   SELECT 'd' || id, id, 'c' || id, 'i', 'so', '2026-03-01T12:00:01.000Z' FROM submissions""",
+            )
+            handle.execute("INSERT INTO idempotency_keys SELECT 'comments', id, '', id, '' FROM comments")
             handle.execute(
                 """INSERT INTO regrades (id, course_id, exercise, revision, choice, is_dry, state, account_id, begun_at)
                    SELECT 'g', id, 'draw-dot', 'r1', 'all', 1, 'graded', 'i', '2026-03-01T12:00:00.000Z' FROM courses""",

@@ -115,8 +115,22 @@ class SchemaFuzzTest {
                 }
             }
         val adjustments = mapper.readTree(given.last().bodyAsText()).path("adjustments").map { it.path("id").asText() }
+        val comments =
+            List(2) {
+                client.post("/api/v1/submissions/$id/comments") {
+                    bearer(student)
+                    json("""{"text":"Why?","line":1}""")
+                }
+            }
+        val kept =
+            client.post("/api/v1/courses/$course/kept-comments") {
+                bearer(instructor)
+                json("""{"name":"names","text":"Say it in the name."}""")
+            }
         return mapOf(
             "adjustment" to adjustments,
+            "comment" to comments.map { it.json().text("id") },
+            "kept" to listOf(kept.json().text("id")),
             "regrade" to listOf(regrade),
             "course" to listOf(course),
             "id" to listOf("draw-dot", id),
