@@ -85,14 +85,14 @@ class FindingsTest {
         Matcher cell =
                 Pattern.compile(
                                 "<td class=\"degraded\"><a href=\"hazards/rotate.html#([^\"]+)\""
-                                        + " title=\"\\./lab run rotate ([^\"]+)\">≈ degraded</a>")
+                                        + " title=\"\\./lab run rotate ([^\"]+)\">≈ acceptable</a>")
                         .matcher(rotate);
         assertTrue(cell.find(), rotate);
         assertTrue(hazards.contains("<section id=\"" + cell.group(1) + "\">"), cell.group(1));
         assertTrue(hazards.contains("<pre>./lab run rotate " + cell.group(2) + "</pre>"), hazards);
         assertTrue(hazards.contains("<a href=\"#" + cell.group(1) + "\""), "on its own page");
         assertTrue(rotate.contains(".degraded{border-left-color:"), "colour");
-        assertTrue(rotate.contains("<p>≈ degraded: The answer is not exact, but"), "the rule");
+        assertTrue(rotate.contains("<p>≈ acceptable: The answer is not exact, but"), "the rule");
     }
 
     @Test
