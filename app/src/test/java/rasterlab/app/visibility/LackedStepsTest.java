@@ -42,8 +42,7 @@ class LackedStepsTest {
         thread.settle(model::settle);
         var readings = new VisibilityReadings(model, texts);
         assertEquals(there, !readings.timeline().equals("no steps"), readings.timeline());
-        assertEquals(
-                there, !readings.work().get(0).equals("none; try painter or zfloat"), method);
+        assertEquals(there, !readings.work().get(0).equals("none; try painter or zfloat"), method);
         assertEquals(there, model.lastStep() > 0, "steps of " + method);
         assertEquals(there, shown("steps.scroll"), "list of steps of " + method);
         assertTrue(there || model.state().drawn().isEmpty(), "what " + method + " drew");
