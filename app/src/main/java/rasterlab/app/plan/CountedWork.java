@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.plan.StageTimes;
 import rasterlab.engine.plan.WorkCount;
 import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.sight.cost.Family;
@@ -30,18 +31,21 @@ public record CountedWork(PictureWork work, Map<String, Double> milliseconds, St
      * @throws CancellationException soon after {@code cancelled} says true
      */
     public static Optional<CountedWork> of(RenderRequest request, BooleanSupplier cancelled) {
-        boolean faces =
-                request.look().shading() != ShadingMethod.WIRE
-                        && request.look().stereo().isEmpty()
-                        && request.look().given().isEmpty()
-                        && !request.visibility().equals(Renderer.SURFACES)
-                        && !request.visibility().equals(Renderer.REFERENCE);
-        if (!faces) return Optional.empty();
+        if (!drawsFaces(request)) return Optional.empty();
         Optional<Family> family = Family.measured(Renderer.visibility(request).chosen());
         if (family.isEmpty()) return Optional.empty();
         PictureWork work = WorkCount.of(request, cancelled);
         Costs costs = Costs.measured();
         return Optional.of(new CountedWork(work, costs.stages(family.get(), work), costs.origin()));
+    }
+
+    /** Whether a picture has stages: edges, surfaces, the reference and two eyes have none. */
+    public static boolean drawsFaces(RenderRequest request) {
+        return request.look().shading() != ShadingMethod.WIRE
+                && request.look().stereo().isEmpty()
+                && request.look().given().isEmpty()
+                && !request.visibility().equals(Renderer.SURFACES)
+                && !request.visibility().equals(Renderer.REFERENCE);
     }
 
     /** Milliseconds of processor time of all stages. */
@@ -62,6 +66,22 @@ public record CountedWork(PictureWork work, Map<String, Double> milliseconds, St
             json.writeNumberField(stage.getKey(), rounded(stage.getValue() / total()));
         json.writeEndObject();
         json.writeStringField("costs", origin);
+        json.writeEndObject();
+    }
+
+    /** Writes the field {@code measured}: what the stages took on one thread. */
+    public static void write(JsonGenerator json, StageTimes times) throws IOException {
+        json.writeObjectFieldStart("measured");
+        json.writeNumberField("processorMilliseconds", rounded(times.total()));
+        json.writeObjectFieldStart("stages");
+        for (Map.Entry<String, Double> stage : times.milliseconds().entrySet())
+            json.writeNumberField(stage.getKey(), rounded(stage.getValue()));
+        json.writeEndObject();
+        json.writeObjectFieldStart("shares");
+        for (String stage : times.milliseconds().keySet())
+            json.writeNumberField(stage, rounded(times.share(stage)));
+        json.writeEndObject();
+        json.writeNumberField("rounds", times.rounds());
         json.writeEndObject();
     }
 

@@ -25,6 +25,7 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.plan.Plan;
+import rasterlab.engine.plan.StageTimes;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
@@ -57,6 +58,9 @@ import rasterlab.exercises.scene.SceneSetting;
             "         ./lab render vase --shading auto --levels 3 --out shaded.png"
         })
 public final class RenderCommand implements Callable<Integer> {
+    /** Milliseconds for which stages are measured, if two rounds take less. */
+    private static final double STAGES_BUDGET = 500;
+
     private final Console console;
 
     @Mixin private SceneArgument shown;
@@ -140,6 +144,14 @@ public final class RenderCommand implements Callable<Integer> {
             description = "counts the pixels of flat and Gouraud shading that differ from Phong's")
     private boolean errors;
 
+    @Option(
+            names = "--stages",
+            description =
+                    "measures what each stage takes on one thread, beside its count and its predicted"
+                            + " share: draws the picture again and again, each time without one"
+                            + " stage more")
+    private boolean stages;
+
     @Option(names = "--out", paramLabel = "FILE.png", description = "writes the picture")
     private Path out;
 
@@ -150,15 +162,16 @@ public final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         RenderRequest asked = request();
-        if (out == null && other == null && !errors)
+        if (out == null && other == null && !errors && !stages)
             throw Complaint.badInput(
-                    "nothing to do; give --out FILE.png, --diff OTHER.png or --errors");
+                    "nothing to do; give --out FILE.png, --diff OTHER.png, --errors or --stages");
         if (errors) requireErrors(asked.look());
+        if (stages) requireStages(asked);
         if (out != null) requirePng(out);
         Optional<Plan> plan = least.plan(asked);
         Optional<Choice> shading = least.shading(asked);
         RenderRequest request = plan.map(Plan::least).orElse(shaded(asked, shading));
-        RenderMemory.require(request, (other == null ? 0 : 3) + (errors ? 3 : 0));
+        RenderMemory.require(request, (other == null ? 0 : 3) + (errors || stages ? 3 : 0));
         Optional<BufferedImage> expected =
                 Optional.ofNullable(other)
                         .map(file -> PngFile.read(file, request.width(), request.height()));
@@ -175,6 +188,10 @@ public final class RenderCommand implements Callable<Integer> {
         Optional<ShadingErrors> shadings =
                 errors ? Optional.of(ShadingErrors.of(request, progress)) : Optional.empty();
         Optional<CountedWork> counted = CountedWork.of(request, progress);
+        Optional<StageTimes> times =
+                stages
+                        ? Optional.of(StageTimes.of(request, STAGES_BUDGET, progress))
+                        : Optional.empty();
         new RenderReport(
                         request,
                         plan,
@@ -182,6 +199,7 @@ public final class RenderCommand implements Callable<Integer> {
                         milliseconds,
                         work,
                         counted,
+                        times,
                         out,
                         other,
                         difference,
@@ -264,6 +282,15 @@ public final class RenderCommand implements Callable<Integer> {
                     "--errors needs faces to shade; neither --shading wire nor --visibility "
                             + Renderer.SURFACES
                             + " has any");
+    }
+
+    private static void requireStages(RenderRequest asked) {
+        if (!CountedWork.drawsFaces(asked))
+            throw Complaint.badInput(
+                    "--stages needs faces that a method draws for one eye; --reference, --stereo,"
+                            + " --shading wire and --visibility "
+                            + Renderer.SURFACES
+                            + " have none");
     }
 
     private static void requirePng(Path file) {

@@ -21,6 +21,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.plan.Plan;
 import rasterlab.engine.plan.PlanDecision;
+import rasterlab.engine.plan.StageTimes;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.visibility.ClipPlane;
 import rasterlab.engine.visibility.VisibilityWork;
@@ -33,6 +34,7 @@ import rasterlab.engine.visibility.VisibilityWork;
  * @param milliseconds wall time of the rendering alone
  * @param work what the visibility method counted
  * @param counted the picture's work, stage by stage, where it is counted
+ * @param times measured stage by stage, if asked for
  * @param out where the picture was written; null if it was not
  * @param other what it was compared with; null if with nothing
  * @param errors of the cheaper shadings, if asked for
@@ -44,6 +46,7 @@ record RenderReport(
         double milliseconds,
         Optional<VisibilityWork> work,
         Optional<CountedWork> counted,
+        Optional<StageTimes> times,
         Path out,
         Path other,
         Optional<PictureDifference> difference,
@@ -58,6 +61,7 @@ record RenderReport(
             json.writeNumberField("milliseconds", milliseconds);
             if (work.isPresent()) writeWork(json, work.get());
             if (counted.isPresent()) counted.get().write(json);
+            if (times.isPresent()) CountedWork.write(json, times.get());
             if (plan.isPresent()) PlanReport.writePlan(json, plan.get());
             if (out != null) json.writeStringField("out", out.toString());
             if (difference.isPresent()) writeDifference(json, difference.get());

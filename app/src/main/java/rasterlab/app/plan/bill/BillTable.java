@@ -80,8 +80,8 @@ public final class BillTable extends JTable {
         return switch (column) {
             case 0 -> texts.text("stage." + row.stage());
             case 1 -> brief(row.counted());
-            case 2 -> time(row.milliseconds());
-            case 3 -> percent(row.share());
+            case 2 -> row.measured().map(this::time).orElse("–");
+            case 3 -> row.measured().isPresent() ? percent(row.share()) : "–";
             default -> brief(row.planned());
         };
     }
@@ -90,7 +90,7 @@ public final class BillTable extends JTable {
         PictureBill all = bill.orElseThrow();
         return switch (column) {
             case 0 -> texts.text("table.all");
-            case 2 -> time(all.counted().total());
+            case 2 -> time(all.times().total());
             case 3 -> percent(1);
             case 4 -> texts.text("table.time", time(all.plan().cost().milliseconds()));
             default -> "";
@@ -129,15 +129,28 @@ public final class BillTable extends JTable {
             return count(column == 1 ? rows.get(row).counted() : rows.get(row).planned())
                     + ": "
                     + meaning(column);
-        return meaning(column);
+        return column == 2 ? measured(row) : meaning(column);
     }
 
     private String meaning(int column) {
-        String costs =
-                bill.map(found -> CostOrigin.said(texts, found.counted().origin())).orElse("");
         return texts.text(
                 "table." + COLUMNS.get(column) + ".hint",
-                COLUMNS.get(column).equals("plan") ? usual() : costs);
+                COLUMNS.get(column).equals("plan") ? usual() : rounds());
+    }
+
+    /** How the time of a stage, or of all, was measured, and what its count predicts. */
+    private String measured(int row) {
+        PictureBill all = bill.orElseThrow();
+        double predicted = row < rows.size() ? rows.get(row).predicted() : all.counted().total();
+        return texts.text(
+                "table.milliseconds.hint",
+                rounds(),
+                time(predicted),
+                CostOrigin.said(texts, all.counted().origin()));
+    }
+
+    private String rounds() {
+        return Integer.toString(bill.map(found -> found.times().rounds()).orElse(0));
     }
 
     private String usual() {

@@ -13,39 +13,49 @@ import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.plan.Plan;
 import rasterlab.engine.plan.Planner;
+import rasterlab.engine.plan.StageTimes;
 import rasterlab.engine.plan.Tolerance;
 
 /**
- * The work that was counted for a picture, beside the work of the least picture that is enough.
+ * The work that was counted for a picture and the time that was measured, beside the work of the
+ * least picture that is enough.
  *
  * @param counted stage by stage
+ * @param times measured stage by stage
  * @param plan the least picture of the same view
  */
-public record PictureBill(CountedWork counted, Plan plan) {
+public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
     /** The tolerance that {@code ./lab plan} has unless it is told another. */
     public static final Tolerance USUAL = new Tolerance(0.5, 2, 0);
+
+    /** Milliseconds for which stages are measured, if two rounds take less. */
+    private static final double BUDGET = 100;
 
     /**
      * A stage of drawing.
      *
      * @param stage its key
      * @param counted how often; empty for what is done once whatever is drawn
-     * @param milliseconds of processor time by the measured prices
-     * @param share of the picture's time, 0 to 1
+     * @param measured milliseconds of processor time; empty where another stage's time has it
+     * @param share of the picture's measured time, 0 to 1
+     * @param predicted milliseconds of processor time by the prices of the count
      * @param planned how often in the least picture
      */
     public record Row(
             String stage,
             Optional<Long> counted,
-            double milliseconds,
+            Optional<Double> measured,
             double share,
+            double predicted,
             Optional<Long> planned) {
         public Row {
             Bounds.require("share", share, 0, 1);
         }
 
         private boolean isEmpty() {
-            return milliseconds == 0 && counted.orElse(0L) + planned.orElse(0L) == 0;
+            return predicted == 0
+                    && measured.orElse(0.0) == 0
+                    && counted.orElse(0L) + planned.orElse(0L) == 0;
         }
     }
 
@@ -63,7 +73,8 @@ public record PictureBill(CountedWork counted, Plan plan) {
     }
 
     /**
-     * Counts a picture and plans its view; empty where the method has no prices, or refuses.
+     * Counts and times a picture and plans its view; empty where the method has no prices, or
+     * refuses.
      *
      * @param cancelled asked often while it counts
      * @throws CancellationException soon after {@code cancelled} says true
@@ -72,7 +83,12 @@ public record PictureBill(CountedWork counted, Plan plan) {
             RenderRequest request, Planner planner, BooleanSupplier cancelled) {
         try {
             return CountedWork.of(request, cancelled)
-                    .map(work -> new PictureBill(work, planner.plan(request, USUAL)));
+                    .map(
+                            work ->
+                                    new PictureBill(
+                                            work,
+                                            StageTimes.of(request, BUDGET, cancelled),
+                                            planner.plan(request, USUAL)));
         } catch (IllegalArgumentException refused) {
             return Optional.empty();
         }
@@ -82,17 +98,18 @@ public record PictureBill(CountedWork counted, Plan plan) {
     public List<Row> rows() {
         Map<String, Long> here = counted.work().stages();
         Map<String, Long> least = plan.cost().work().stages();
-        double all = counted.total();
         var rows = new ArrayList<Row>();
         counted.milliseconds()
                 .forEach(
-                        (stage, time) ->
+                        (stage, predicted) ->
                                 rows.add(
                                         new Row(
                                                 stage,
                                                 Optional.ofNullable(here.get(stage)),
-                                                time,
-                                                all > 0 ? time / all : 0,
+                                                Optional.ofNullable(
+                                                        times.milliseconds().get(stage)),
+                                                times.share(stage),
+                                                predicted,
                                                 Optional.ofNullable(least.get(stage)))));
         rows.removeIf(Row::isEmpty);
         return rows;

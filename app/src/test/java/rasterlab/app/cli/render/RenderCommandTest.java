@@ -46,6 +46,26 @@ class RenderCommandTest {
         assertEquals("exact", new ObjectMapper().readTree(ran.out()).path("visibility").asText());
     }
 
+    @Test
+    void stagesAreMeasuredOnlyWhereTheyAreAskedFor() throws Exception {
+        String out = folder.resolve("s.png").toString();
+        Ran silent = render("--size", "8x6", "--out", out);
+        assertFalse(new ObjectMapper().readTree(silent.out()).has("measured"), silent.out());
+        Ran ran = render("--size", "8x6", "--stages");
+        ran.assertDone();
+        JsonNode measured = new ObjectMapper().readTree(ran.out()).path("measured");
+        assertTrue(measured.path("stages").has("fragments"), ran.out());
+        double shares = 0;
+        for (JsonNode share : measured.path("shares")) shares += share.asDouble();
+        assertEquals(1, shares, 0.001, ran.out());
+    }
+
+    @Test
+    void picturesWithoutStagesAreRefused() {
+        assertEquals(2, render("--reference", "--stages").exitCode());
+        assertEquals(2, render("--shading", "wire", "--stages").exitCode());
+    }
+
     private Path rendered(String visibility, String size) {
         Path picture = folder.resolve("a.png");
         String[] options = {"--visibility", visibility, "--size", size, "--out", "" + picture};
@@ -254,7 +274,7 @@ class RenderCommandTest {
                 .assertComplains(
                         2,
                         "./lab render: nothing to do; give --out FILE.png, --diff OTHER.png"
-                                + " or --errors");
+                                + ", --errors or --stages");
     }
 
     @Test
