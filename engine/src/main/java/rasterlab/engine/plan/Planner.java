@@ -17,6 +17,7 @@ import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.sight.DepthReach;
 import rasterlab.engine.sight.LightWork;
+import rasterlab.engine.sight.Reason;
 import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.sight.SightChoice.Sight;
 import rasterlab.engine.sight.SightFacts;
@@ -39,6 +40,9 @@ import rasterlab.engine.visibility.ViewedMesh;
 public final class Planner {
     /** Scenes that are kept: what is asked for, lit and drawn, now and before. */
     private static final int KEPT = 9;
+
+    /** A plan must be predicted to take less than this share of the full picture's time. */
+    private static final double WORTH = 0.95;
 
     private final Costs costs;
     private final int cores;
@@ -114,6 +118,9 @@ public final class Planner {
                         .withShading(shading.planned(sight))
                         .withTexture(texturing.mode())
                         .withSavings(new Savings(shading.levels(), sight.frontsOnly()));
+        Plan.Cost all = fullCost(full, whole.areas());
+        if (sight.milliseconds() > WORTH * all.milliseconds())
+            return whole(full, tolerance, kept(decisions, full, sight, all), all, start);
         boolean here = sight.fromHere() || texturing.fromHere();
         boolean near = !shading.around() || parts.map(ShapePlan.Result::narrow).orElse(false);
         return new Plan(
@@ -122,7 +129,7 @@ public final class Planner {
                 tolerance,
                 decisions,
                 range(full.camera(), here, near),
-                fullCost(full, whole.areas()),
+                all,
                 new Plan.Cost(sight.work(), sight.milliseconds()),
                 (System.nanoTime() - start) / 1e6);
     }
@@ -165,16 +172,44 @@ public final class Planner {
         long start = System.nanoTime();
         RenderRequest full = full(asked);
         ShownFaces shown = ShownFaces.of(full, known(full.scene()), false);
-        Plan.Cost cost = fullCost(full, shown.areas());
+        return whole(full, tolerance, List.of(), fullCost(full, shown.areas()), start);
+    }
+
+    private static Plan whole(
+            RenderRequest full,
+            Tolerance tolerance,
+            List<PlanDecision> decisions,
+            Plan.Cost cost,
+            long start) {
         return new Plan(
                 full,
                 full,
                 tolerance,
-                List.of(),
+                decisions,
                 CameraRange.wide(full.camera()),
                 cost,
                 cost,
                 (System.nanoTime() - start) / 1e6);
+    }
+
+    /** Decisions of a plan that keeps all, since what it could leave out is worth too little. */
+    private static List<PlanDecision> kept(
+            List<PlanDecision> decisions, RenderRequest full, Sight sight, Plan.Cost all) {
+        List<PlanDecision> kept = new ArrayList<>();
+        for (PlanDecision decision : decisions)
+            if (!decision.saves() && !decision.subject().equals("visibility")) kept.add(decision);
+        kept.add(
+                PlanDecision.exact(
+                        "visibility",
+                        full.visibility(),
+                        full.visibility(),
+                        Reason.of(
+                                "small",
+                                "what could be left out is %.0f %% of the predicted cost; a gain"
+                                        + " below %.0f %% may be lost on another machine",
+                                Math.max(0, 100 * (1 - sight.milliseconds() / all.milliseconds())),
+                                100 * (1 - WORTH))));
+        return kept;
     }
 
     /** The levels that coarser faces may change; parts are beside each other. */

@@ -51,8 +51,11 @@ record SceneSample(Scene scene, double weight, int vertices) {
         return RequestView.of(request.with(scene), request.width());
     }
 
-    ScreenAreas areas(RequestView seen) {
-        return new ScreenAreas(seen.viewed(), weight, vertices);
+    /**
+     * @param closed whether the scene is one of closed bodies
+     */
+    ScreenAreas areas(RequestView seen, boolean closed) {
+        return new ScreenAreas(seen.viewed(), weight, vertices, closed);
     }
 
     private static Mesh ownVertices(Mesh part) {

@@ -27,7 +27,8 @@ record ShownFaces(
     static ShownFaces of(RenderRequest request, KnownScene known, boolean fronts) {
         SceneSample sample = known.sample();
         RequestView seen = sample.seen(request);
-        return new ShownFaces(request, known, seen, sample.areas(seen), fronts);
+        return new ShownFaces(
+                request, known, seen, sample.areas(seen, known.facts().closed()), fronts);
     }
 
     SightFacts facts() {

@@ -11,10 +11,15 @@ import rasterlab.engine.sight.cost.PictureWork;
  * @param mixed whether a bound is worked out for each face first
  */
 public record LightWork(boolean perCorner, boolean[] atPixels, int texelReads, boolean mixed) {
-    /** The formulas that the bound for one face is worth. */
-    private static final int BOUND = 3;
+    /** The formulas that the bound for one face is worth, with a second pass over its vertices. */
+    private static final int BOUND = 14;
 
-    /** The estimated work of a picture by a family's method. */
+    /**
+     * The estimated work of a picture by a family's method.
+     *
+     * @param frontsOnly whether backs are left out; painters leave out all, the pipeline those that
+     *     are not at an outline
+     */
     public PictureWork estimate(
             ScreenAreas areas, boolean frontsOnly, boolean paintsAll, long pairs) {
         long faces = 0;
@@ -23,10 +28,10 @@ public record LightWork(boolean perCorner, boolean[] atPixels, int texelReads, b
         double atEachPixel = 0;
         double textured = 0;
         for (int f = 0; f < areas.faces(); f++) {
-            if (frontsOnly && areas.back(f)) continue;
+            if (frontsOnly && (paintsAll ? areas.back(f) : areas.spare(f))) continue;
             faces++;
             fragments += areas.area(f);
-            boolean painted = paintsAll || !areas.back(f);
+            boolean painted = paintsAll || !areas.hidden(f);
             if (painted) textured += areas.area(f);
             if (mixed) lights += BOUND;
             if (!atPixels[f]) lights += perCorner ? 4 : 1;

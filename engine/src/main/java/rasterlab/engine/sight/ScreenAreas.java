@@ -1,7 +1,9 @@
 package rasterlab.engine.sight;
 
+import java.util.Optional;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.visibility.OutlineFaces;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
@@ -15,22 +17,29 @@ public final class ScreenAreas {
     private final long pixels;
     private final double weight;
     private final int allVertices;
+    private final boolean closed;
+    private final ViewedMesh view;
+    private Optional<boolean[]> fronts = Optional.empty();
     private int clipped;
 
+    /** The areas of a closed body's faces, all of them. */
     public ScreenAreas(ViewedMesh view) {
-        this(view, 1, view.mesh().vertexCount());
+        this(view, 1, view.mesh().vertexCount(), true);
     }
 
     /**
      * @param view of a sample of faces
      * @param weight how many faces each of them stands for, at least 1
      * @param allVertices of the mesh that the sample is taken from
+     * @param closed whether fronts hide all backs
      */
-    public ScreenAreas(ViewedMesh view, double weight, int allVertices) {
+    public ScreenAreas(ViewedMesh view, double weight, int allVertices, boolean closed) {
         Mesh mesh = view.mesh();
         PictureFit fit = view.fit();
         this.weight = weight;
         this.allVertices = allVertices;
+        this.closed = closed;
+        this.view = view;
         pixels = (long) fit.width() * fit.height();
         int vertices = mesh.vertexCount();
         double[] x = new double[vertices];
@@ -116,5 +125,16 @@ public final class ScreenAreas {
     /** Whether a face shows its back. */
     public boolean back(int face) {
         return back[face];
+    }
+
+    /** Whether other faces hide a face, because it shows its back. */
+    boolean hidden(int face) {
+        return closed && back[face];
+    }
+
+    /** Whether a picture by depths that needs no backs can do without a face. */
+    boolean spare(int face) {
+        if (fronts.isEmpty()) fronts = Optional.of(OutlineFaces.andFronts(view, 0));
+        return !fronts.get()[face];
     }
 }
