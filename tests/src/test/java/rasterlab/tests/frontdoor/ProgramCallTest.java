@@ -26,9 +26,12 @@ class ProgramCallTest {
         "--lang=ru bench raster, rasterlab.tests.bench.Bench --lang=ru raster",
         "--lang ru grader serve, rasterlab.grader.MainKt --lang ru serve",
         "--lang ru methods line, rasterlab.app.Main --lang ru methods line",
-        "--lang ru, rasterlab.app.Main --lang ru"
+        "--lang ru, rasterlab.app.Main --lang ru",
+        "help grader course list, rasterlab.grader.MainKt help course list",
+        "help grader, rasterlab.grader.MainKt help",
+        "help exercises new, rasterlab.app.Main help exercises new"
     })
-    void languageMayStandInFrontOfEachProgram(String words, String started) throws IOException {
+    void eachProgramIsStartedWithItsOwnWords(String words, String started) throws IOException {
         var run = BuiltLab.in(folder, SAYING).call(List.of(words.split(" ")));
         assertEquals(0, run.exit(), run.err());
         assertTrue(run.out().strip().endsWith(started), run.out());
