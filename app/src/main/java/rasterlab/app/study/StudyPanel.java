@@ -224,6 +224,7 @@ public final class StudyPanel extends LabPanel {
         progress.setValue(work.done());
         if (work.running()) progress.setString(words.progress(work, at(work)));
         else progress.setString(resting(state));
+        progress.setToolTipText(progress.getString());
     }
 
     /** The last finished result. */
