@@ -22,7 +22,9 @@ import rasterlab.exercises.Grading
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.adjustment.adjustments
+import rasterlab.grader.classroom.Efforts
 import rasterlab.grader.classroom.LastResults
+import rasterlab.grader.classroom.efforts
 import rasterlab.grader.classroom.errors
 import rasterlab.grader.comment.Comments
 import rasterlab.grader.comment.KeptComments
@@ -78,6 +80,7 @@ import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.submissions
 import rasterlab.grader.web.ErrorPage
 import rasterlab.grader.web.PageParts
+import rasterlab.grader.web.classroom.effortPages
 import rasterlab.grader.web.classroom.errorPages
 import rasterlab.grader.web.comment.CommentedSource
 import rasterlab.grader.web.comment.commentPages
@@ -147,6 +150,7 @@ class Server(
     private val choices = Choices(database)
     private val sheets = Sheets(database)
     private val hints = Hints(database, clock)
+    private val efforts = Efforts(database, hints)
     private val steady = SteadyClock(clock)
     private val leases = Leases(database, reports, clock, steady)
     private val meters = Meters(database, children, clock)
@@ -214,6 +218,7 @@ class Server(
             errorPages(accounts, courses, exercises, last)
             commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
             questionPages(accounts, courses, exercises, comments, keptComments)
+            effortPages(accounts, courses, exercises, efforts)
             route("/api/v1") {
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
@@ -229,6 +234,7 @@ class Server(
                     hints(exercises, hints, courses)
                     similarity(exercises, similar)
                     errors(courses, exercises, last)
+                    efforts(courses, exercises, efforts)
                     submissions(exercises, intake, queue, choices)
                     adjustments(submissions, adjustments)
                     comments(submissions, comments)

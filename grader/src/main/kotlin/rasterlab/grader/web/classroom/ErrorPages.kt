@@ -95,7 +95,7 @@ private suspend fun ApplicationCall.respondErrors(
     val texts = texts()
     val heading = "${texts.say("errors.heading")}: ${exercise.title(texts.language)} — ${course.name}"
     respondPage(texts, who, heading) {
-        p("ways") { a("/instructor/courses/${course.id}/exercises") { +texts.say("rules.back") } }
+        waysOfClass(texts, course, exercise, "errors")
         p("plan") { +texts.say("errors.about") }
         if (map.results.isEmpty()) p { +texts.say("errors.none") }
         if (map.cases.isNotEmpty()) {
