@@ -22,10 +22,12 @@ import rasterlab.exercises.Grading
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.adjustment.adjustments
+import rasterlab.grader.classroom.ClassFront
 import rasterlab.grader.classroom.Efforts
 import rasterlab.grader.classroom.LastResults
 import rasterlab.grader.classroom.efforts
 import rasterlab.grader.classroom.errors
+import rasterlab.grader.classroom.fronts
 import rasterlab.grader.comment.Comments
 import rasterlab.grader.comment.KeptComments
 import rasterlab.grader.comment.comments
@@ -82,6 +84,7 @@ import rasterlab.grader.web.ErrorPage
 import rasterlab.grader.web.PageParts
 import rasterlab.grader.web.classroom.effortPages
 import rasterlab.grader.web.classroom.errorPages
+import rasterlab.grader.web.classroom.frontPages
 import rasterlab.grader.web.comment.CommentedSource
 import rasterlab.grader.web.comment.commentPages
 import rasterlab.grader.web.comment.questionPages
@@ -141,6 +144,7 @@ class Server(
     private val submissions = Submissions(database)
     private val similar = Similar(database)
     private val last = LastResults(database)
+    private val front = ClassFront(database)
     private val reports = Reports(database)
     private val adjustments = Adjustments(database, clock)
     private val comments = Comments(database, clock)
@@ -219,6 +223,7 @@ class Server(
             commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
             questionPages(accounts, courses, exercises, comments, keptComments)
             effortPages(accounts, courses, exercises, efforts)
+            frontPages(accounts, courses, exercises, front)
             route("/api/v1") {
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
@@ -235,6 +240,7 @@ class Server(
                     similarity(exercises, similar)
                     errors(courses, exercises, last)
                     efforts(courses, exercises, efforts)
+                    fronts(courses, exercises, front)
                     submissions(exercises, intake, queue, choices)
                     adjustments(submissions, adjustments)
                     comments(submissions, comments)

@@ -200,31 +200,31 @@ class LastResults(
         var pixels = false
     }
 
-    /** A question about the last results, as the rows of `last`. */
-    private fun Handle.last(
-        course: String,
-        exercise: String,
-        columns: String,
-        joined: String,
-        more: String,
-    ) = createQuery("$LAST SELECT $columns FROM last $joined WHERE back = 1 $more")
-        .bind("course", course)
-        .bind("exercise", exercise)
-
     private companion object {
         /** Verdicts whose words tell one wrong answer from another, and are the same for the same program. */
         val TOLD = setOf(GradingVerdict.WRONG, GradingVerdict.RUNTIME_ERROR)
-
-        /** Selects them as the rows of `last` whose `back` is 1; what the server's own fault left is nobody's result. */
-        const val LAST = """WITH last AS (
-            SELECT s.id, s.student_id, s.attempt, r.id AS result, r.verdict,
-                row_number() OVER (PARTITION BY s.student_id ORDER BY s.sequence DESC) AS back
-            FROM students AS enrolled
-            JOIN submissions AS s ON s.student_id = enrolled.id AND s.exercise = :exercise
-            JOIN results AS r ON r.submission_id = s.id AND r.is_current = 1
-            WHERE enrolled.course_id = :course AND r.verdict <> 'internal')"""
     }
 }
+
+/** A question about the last results, as the rows of `last`. */
+internal fun Handle.last(
+    course: String,
+    exercise: String,
+    columns: String,
+    joined: String,
+    more: String,
+) = createQuery("$LAST SELECT $columns FROM last $joined WHERE back = 1 $more")
+    .bind("course", course)
+    .bind("exercise", exercise)
+
+/** Selects them as the rows of `last` whose `back` is 1; what the server's own fault left is nobody's result. */
+private const val LAST = """WITH last AS (
+    SELECT s.id, s.student_id, s.attempt, r.id AS result, r.verdict,
+        row_number() OVER (PARTITION BY s.student_id ORDER BY s.sequence DESC) AS back
+    FROM students AS enrolled
+    JOIN submissions AS s ON s.student_id = enrolled.id AND s.exercise = :exercise
+    JOIN results AS r ON r.submission_id = s.id AND r.is_current = 1
+    WHERE enrolled.course_id = :course AND r.verdict <> 'internal')"""
 
 /** Hash of what is shown, to tell whether two answers are one. */
 internal fun hash(bytes: ByteArray): String =

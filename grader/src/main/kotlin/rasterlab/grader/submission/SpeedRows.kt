@@ -71,16 +71,17 @@ internal class SpeedRows(
     private fun method(row: ResultSet) =
         SpeedFigures.Method(row.getString("method"), row.around(row.getDouble("ratio")), row.error())
 
-    /** The ratio with the interval of its row; what was measured before there were intervals has none. */
-    private fun ResultSet.around(ratio: Double): MedianInterval {
-        val low = getDouble("ratio_low")
-        val high = getDouble("ratio_high")
-        if (low == 0.0) return MedianInterval.exact(ratio)
-        // nanoseconds over the reference's may be off by a last digit from what was measured
-        return MedianInterval(minOf(low, ratio), ratio, maxOf(high, ratio))
-    }
-
     private fun Double.stored(): Double? = takeIf { it.isFinite() }
-
-    private fun ResultSet.error(): Double = getDouble("error").takeUnless { wasNull() } ?: Double.POSITIVE_INFINITY
 }
+
+/** The ratio with the interval of its row; what was measured before there were intervals has none. */
+internal fun ResultSet.around(ratio: Double): MedianInterval {
+    val low = getDouble("ratio_low")
+    val high = getDouble("ratio_high")
+    if (low == 0.0) return MedianInterval.exact(ratio)
+    // nanoseconds over the reference's may be off by a last digit from what was measured
+    return MedianInterval(minOf(low, ratio), ratio, maxOf(high, ratio))
+}
+
+/** The error of its row, which has none where it is infinite. */
+internal fun ResultSet.error(): Double = getDouble("error").takeUnless { wasNull() } ?: Double.POSITIVE_INFINITY

@@ -14,12 +14,14 @@ import kotlin.math.pow
  *
  * @param ratio of its time to the reference's, with the interval in which it lies
  * @param error may be infinite
+ * @param labelled whether its name stands beside the plot
  */
 class ChartPoint(
     val name: String,
     val ratio: MedianInterval,
     val error: Double,
     val own: Boolean,
+    val labelled: Boolean = true,
 ) {
     /** Whether this one is told to be faster and is as accurate: only where the intervals part. */
     fun beats(other: ChartPoint) =
@@ -62,19 +64,24 @@ class ChartLayout(
 
     /** The lower end of the plot, which has a row for each name. */
     val bottom =
-        maxOf(scaleBottom + if (points.any { it.error == 0.0 }) BAND else 0.0, TOP + points.size * PlacedRows.ROW)
+        maxOf(
+            scaleBottom + if (points.any { it.error == 0.0 }) BAND else 0.0,
+            TOP + points.count { it.labelled } * PlacedRows.ROW,
+        )
     val height = bottom + BELOW
-    val width = NAMES + points.maxOf { width(it.name) }
+    val width = NAMES + (points.filter { it.labelled }.maxOfOrNull { it.nameWidth() } ?: 0.0)
 
     /** The middle of the band at the top, and of the one at the bottom; null where there is none. */
     val lostAt = ((TOP + scaleTop) / 2).takeIf { scaleTop > TOP }
     val exactAt = ((scaleBottom + bottom) / 2).takeIf { points.any { it.error == 0.0 } }
 
     val placed: List<PlacedPoint> =
-        PlacedRows(
-            points.map { Triple(it, x(it.ratio.median()), y(it.error)) },
-            bottom,
-        ).all()
+        points
+            .map { Triple(it, x(it.ratio.median()), y(it.error)) }
+            .partition { it.first.labelled }
+            .let { (labelled, others) ->
+                others.map { (point, x, y) -> PlacedPoint(point, x, y, y) } + PlacedRows(labelled, bottom).all()
+            }
 
     /** The names of the methods that beat each one, the quickest first. */
     fun beatenBy(point: ChartPoint): List<ChartPoint> = points.filter { it.beats(point) }.sortedBy { it.ratio.median() }
@@ -203,4 +210,7 @@ private class PlacedRows(
 /** A width above that of any letter of a name. */
 private const val LETTER = 6.8
 
-private fun width(text: String) = text.length * LETTER
+/** The widening of the own name, which is bold, and in Russian wider than names of methods. */
+private const val BOLD = 1.25
+
+private fun ChartPoint.nameWidth() = name.length * if (own) LETTER * BOLD else LETTER

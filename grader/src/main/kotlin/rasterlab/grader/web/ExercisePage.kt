@@ -135,6 +135,9 @@ internal class ExercisePage(
             p { +texts.say("exercise.mine.none") }
         } else {
             attemptTable(texts, exercises, stand.mine)
+            if (exercise.form() == Exercise.Form.WRITE) {
+                p { a("/exercises/${exercise.id()}/front") { +texts.say("front.link") } }
+            }
             if (stand.rules.policy == CountingPolicy.CHOSEN) choice(texts, stand.mine)
         }
     }

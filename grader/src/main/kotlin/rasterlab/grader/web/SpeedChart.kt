@@ -32,7 +32,11 @@ fun FlowContent.speedChart(
     texts: PageTexts,
     speed: PublishedSpeed,
 ) = section("speed") {
-    val drawn = SpeedDrawing(texts, speed)
+    val figures = speed.figures
+    val own = ChartPoint(texts.say("chart.own"), figures.ratio(), figures.error(), own = true)
+    val methods = figures.methods().map { ChartPoint(it.name(), it.ratio(), it.error(), own = false) }
+    val scale = ChartScale(speed.item, speed.errorUnit, speed.fullUpTo)
+    val drawn = SpeedDrawing(texts, scale, listOf(own) + methods) { it.inWords(own) }
     h2 { +texts.say("chart.title") }
     figure("chart") {
         unsafe { +drawn.svg() }
@@ -68,16 +72,33 @@ private fun FlowContent.figures(
     }
 }
 
-/** The words and the drawing of a chart of speed, in one language. */
-private class SpeedDrawing(
+/**
+ * The units of a chart of speed.
+ *
+ * @param item what the times are per, in English
+ * @param errorUnit in English
+ * @param fullUpTo the largest ratio that earns all points
+ */
+class ChartScale(
+    val item: String,
+    val errorUnit: String,
+    val fullUpTo: Double,
+)
+
+/**
+ * The words and the drawing of a chart of speed, in one language.
+ *
+ * @param points at least one
+ * @param told the chart in words, for whoever does not see it
+ */
+internal class SpeedDrawing(
     private val texts: PageTexts,
-    private val speed: PublishedSpeed,
+    private val scale: ChartScale,
+    val points: List<ChartPoint>,
+    private val told: (SpeedDrawing) -> String,
 ) {
     private val locale = Locale.forLanguageTag(texts.language)
-    private val figures = speed.figures
-    private val own = ChartPoint(texts.say("chart.own"), figures.ratio(), figures.error(), own = true)
-    val points = listOf(own) + figures.methods().map { ChartPoint(it.name(), it.ratio(), it.error(), own = false) }
-    val errorAxis = texts.say("chart.error", texts.unit(speed.errorUnit))
+    val errorAxis = texts.say("chart.error", texts.unit(scale.errorUnit))
     private val layout = ChartLayout(points)
 
     /** The ratio with its interval, where that is known. */
@@ -108,7 +129,7 @@ private class SpeedDrawing(
     fun svg(): String =
         buildString {
             val size = "0 0 ${layout.width.roundToInt()} ${layout.height.roundToInt()}"
-            append("""<svg viewBox="$size" role="img" aria-label="${escaped(inWords())}">""")
+            append("""<svg viewBox="$size" role="img" aria-label="${escaped(told(this@SpeedDrawing))}">""")
             plot()
             axes()
             staircase()
@@ -116,7 +137,8 @@ private class SpeedDrawing(
             append("</svg>")
         }
 
-    private fun inWords() =
+    /** Tells the point of a student, and the others. */
+    fun inWords(own: ChartPoint) =
         texts.say("chart.words", number(own.ratio.median()), error(own)) + " " +
             layout.placed
                 .filterNot { it.point.own }
@@ -131,7 +153,7 @@ private class SpeedDrawing(
             val from = layout.scaleBottom
             rect("exact", ChartLayout.LEFT, from, ChartLayout.RIGHT - ChartLayout.LEFT, layout.bottom - from)
         }
-        val full = layout.x(speed.fullUpTo)
+        val full = layout.x(scale.fullUpTo)
         rect("full", ChartLayout.LEFT, top, full - ChartLayout.LEFT, high)
         val reference = layout.x(1.0)
         line("reference", reference, top, reference, layout.bottom)
@@ -151,7 +173,7 @@ private class SpeedDrawing(
             text("middle", tick.at, layout.bottom + UNDER, number(tick.value))
         }
         val middle = (ChartLayout.LEFT + ChartLayout.RIGHT) / 2
-        text("middle", middle, layout.height - BASELINE, texts.say("chart.cost", texts.item(speed.item)))
+        text("middle", middle, layout.height - BASELINE, texts.say("chart.cost", texts.item(scale.item)))
     }
 
     /** The steps from the quickest corner down to the most accurate one and to the right. */
@@ -172,7 +194,10 @@ private class SpeedDrawing(
         val kind = if (placed.point.own) "own" else "other"
         val pale = if (layout.beatenBy(placed.point).isEmpty()) "" else " beaten"
         append("<g class=\"$kind$pale\">")
-        line("leader", placed.x, placed.y, ChartLayout.NAMES - BESIDE / 2, placed.rowY)
+        if (placed.point.labelled) {
+            line("leader", placed.x, placed.y, ChartLayout.NAMES - BESIDE / 2, placed.rowY)
+            text("start", ChartLayout.NAMES, placed.rowY + BASELINE, placed.point.name)
+        }
         val low = layout.x(placed.point.ratio.low())
         val high = layout.x(placed.point.ratio.high())
         line("bar", low, placed.y, high, placed.y)
@@ -182,7 +207,6 @@ private class SpeedDrawing(
         } else {
             append("<circle cx=\"${placed.x.short()}\" cy=\"${placed.y.short()}\" r=\"4.5\"/>")
         }
-        text("start", ChartLayout.NAMES, placed.rowY + BASELINE, placed.point.name)
         append("</g>")
     }
 

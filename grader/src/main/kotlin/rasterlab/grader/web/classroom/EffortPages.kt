@@ -58,12 +58,12 @@ internal fun FlowContent.waysOfClass(
     here: String,
 ) = p("ways") {
     a("/instructor/courses/${course.id}/exercises") { +texts.say("rules.back") }
-    CLASS_PAGES.filter { it != here }.forEach { page ->
+    CLASS_PAGES.filter { it != here && (it != "front" || exercise.form() == Exercise.Form.WRITE) }.forEach { page ->
         a("${rulesAddress(course, exercise)}/$page") { +texts.say("$page.heading") }
     }
 }
 
-private val CLASS_PAGES = listOf("errors", "stuck")
+private val CLASS_PAGES = listOf("errors", "stuck", "front")
 
 private suspend fun ApplicationCall.respondEfforts(
     who: Identity.Staff,

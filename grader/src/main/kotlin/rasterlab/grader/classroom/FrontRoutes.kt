@@ -1,0 +1,106 @@
+package rasterlab.grader.classroom
+
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.util.getOrFail
+import kotlinx.serialization.Serializable
+import rasterlab.engine.Topics
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.score.SpeedPoints
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.staff
+import rasterlab.grader.course.student
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.problem.respondJson
+import rasterlab.grader.rules.course
+import rasterlab.grader.similarity.written
+import java.math.BigDecimal
+import java.math.MathContext
+import java.math.RoundingMode
+
+@Serializable
+private data class PlaceAnswer(
+    val ratio: Double,
+    val low: Double,
+    val high: Double,
+    val error: Double?,
+    val own: Boolean,
+)
+
+@Serializable
+private data class NamedPlaceAnswer(
+    val student: String,
+    val name: String,
+    val submission: String,
+    val ratio: Double,
+    val low: Double,
+    val high: Double,
+    val error: Double?,
+)
+
+@Serializable
+private data class FrontAnswer<T>(
+    val item: String,
+    val errorUnit: String,
+    val fullUpTo: Double,
+    val least: Int,
+    val points: List<T>,
+)
+
+/** Serves the speeds and errors of a class, inside `authenticate`: to students without names, to staff with them. */
+fun Route.fronts(
+    courses: Courses,
+    exercises: Exercises,
+    front: ClassFront,
+) {
+    get("/exercises/{id}/front") {
+        val student = call.student()
+        val exercise = exercises.written(call.parameters.getOrFail("id"))
+        val places = front.seenBy(student.id, courses.ofStudent(student.id)?.id.orEmpty(), exercise)
+        call.respondJson(
+            answer(exercise, places) { PlaceAnswer(it.median, it.low, it.high, it.error, it.student == student.id) },
+        )
+    }
+    get("/courses/{course}/exercises/{id}/front") {
+        call.staff()
+        val course = call.course(courses)
+        val exercise = exercises.written(call.parameters.getOrFail("id"))
+        call.respondJson(
+            answer(exercise, front.of(course.id, exercise)) {
+                NamedPlaceAnswer(it.student, it.name, it.submission, it.median, it.low, it.high, it.error)
+            },
+        )
+    }
+}
+
+/** Numbers of a point with the digits that count: more would tell the submission that they are of. */
+private class RoundedPoint(
+    point: FrontPoint,
+) {
+    val student = point.student
+    val name = point.name
+    val submission = point.submission
+    val median = rounded(point.ratio.median())
+    val low = rounded(point.ratio.low())
+    val high = rounded(point.ratio.high())
+    val error = point.error.takeIf { it.isFinite() }?.let(::rounded)
+}
+
+private val DIGITS = MathContext(3, RoundingMode.HALF_EVEN)
+
+private fun rounded(number: Double) = BigDecimal.valueOf(number).round(DIGITS).toDouble()
+
+private fun <T> answer(
+    exercise: Exercise,
+    points: List<FrontPoint>,
+    told: (RoundedPoint) -> T,
+): FrontAnswer<T> {
+    val topic = Topics.named(exercise.topic())
+    return FrontAnswer(
+        topic.item(),
+        topic.errorUnit(),
+        SpeedPoints.fullUpTo(),
+        ClassFront.LEAST,
+        points.map { told(RoundedPoint(it)) },
+    )
+}
