@@ -132,7 +132,7 @@ private fun FlowContent.said(
     controls(desk, one, answered)
 }
 
-/** Whoever wrote it, with the role where the name says too little. */
+/** Names whoever wrote it, with the role where the name says too little. */
 internal fun PageTexts.author(one: LineComment): String {
     if (one.role == "student") return one.name
     val role = say("staff.role.${one.role}")
