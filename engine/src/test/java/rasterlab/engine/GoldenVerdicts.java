@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import rasterlab.engine.study.Deviation;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Verdict;
 
 /**
@@ -24,7 +24,7 @@ record GoldenVerdicts(String topic) {
             Path.of("src", "test", "resources", "rasterlab", "engine", "golden");
 
     /** Passes if every cell is as published. */
-    void assertHold(List<Cell> cells) throws IOException {
+    void assertHold(List<VerdictCell> cells) throws IOException {
         Path file = FOLDER.resolve(topic + ".txt");
         List<String> found = cells.stream().map(GoldenVerdicts::line).toList();
         if ("write".equals(System.getProperty("rasterlab.golden"))) Files.write(file, found);
@@ -34,7 +34,7 @@ record GoldenVerdicts(String topic) {
         assertEquals(golden.size(), found.size(), file + ": number of lines");
     }
 
-    private static String line(Cell cell) {
+    private static String line(VerdictCell cell) {
         Verdict verdict = cell.verdict();
         Deviation deviation = verdict.deviation();
         return String.format(

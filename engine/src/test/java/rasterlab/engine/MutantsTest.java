@@ -75,7 +75,7 @@ class MutantsTest {
                         if (known.isEmpty())
                             known.add(
                                     HazardTrial.trying(topic, hazard.input(), AMPLE)
-                                            .andThen(HazardTrial.Tried::verdict));
+                                            .andThen(HazardTrial.MethodAnswer::verdict));
                         return known.get(0);
                     });
         }

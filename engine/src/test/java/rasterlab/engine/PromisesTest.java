@@ -88,7 +88,7 @@ class PromisesTest {
                 "no hazard shows it");
     }
 
-    private record FromTheFirst(DepthCoding.Codes right) implements DepthCoding.Codes {
+    private record FromTheFirst(DepthCoding.RangeCodes right) implements DepthCoding.RangeCodes {
         @Override
         public int code(double nearness) {
             return right.code(nearness);

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
@@ -36,7 +36,7 @@ class TopicsTest {
     }
 
     /** The method × hazard table, worked out once for all tests of it. */
-    private static final Map<String, List<Cell>> TABLES = new LinkedHashMap<>();
+    private static final Map<String, List<VerdictCell>> TABLES = new LinkedHashMap<>();
 
     @BeforeAll
     static void workOutTheTable() {
@@ -49,7 +49,7 @@ class TopicsTest {
         TABLES.clear();
     }
 
-    static Stream<Cell> cells() {
+    static Stream<VerdictCell> cells() {
         return TABLES.values().stream().flatMap(List::stream);
     }
 
@@ -64,7 +64,7 @@ class TopicsTest {
 
     @ParameterizedTest
     @MethodSource("cells")
-    void everyVerdictIsTheRecordedOneAndSaysInOneLineWhatHappened(Cell cell) {
+    void everyVerdictIsTheRecordedOneAndSaysInOneLineWhatHappened(VerdictCell cell) {
         assertEquals(cell.recorded(), cell.verdict().kind(), cell.toString());
         String detail = cell.verdict().detail();
         assertTrue(detail.lines().count() <= 1, detail);

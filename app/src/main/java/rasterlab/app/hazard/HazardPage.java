@@ -16,8 +16,8 @@ import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.study.Guard;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
-import rasterlab.engine.study.HazardTrial.Tried;
+import rasterlab.engine.study.HazardTrial.MethodAnswer;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
@@ -33,7 +33,7 @@ public final class HazardPage<C, I, O> {
     private final TopicNames called;
     private final StudyWords words;
     private final AnswerPictures<C, I, O> pictures;
-    private final List<Cell> verdicts = new ArrayList<>();
+    private final List<VerdictCell> verdicts = new ArrayList<>();
     private final StringBuilder cells = new StringBuilder();
 
     private HazardPage(Topic<C, I, O> topic, Language language) {
@@ -87,15 +87,16 @@ public final class HazardPage<C, I, O> {
     }
 
     private void add(Hazard<I> hazard, Duration longest) {
-        Function<Method<C>, Tried<O>> trial = HazardTrial.trying(topic, hazard.input(), longest);
+        Function<Method<C>, MethodAnswer<O>> trial =
+                HazardTrial.trying(topic, hazard.input(), longest);
         String title = called.hazard(topic, hazard);
         var below = new StringBuilder();
         var exact = new ArrayList<String>();
         for (Method<C> method : topic.methods()) {
-            Tried<O> tried = trial.apply(method);
+            MethodAnswer<O> tried = trial.apply(method);
             Verdict.Kind recorded =
                     hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
-            var cell = new Cell(hazard.name(), method.name(), tried.verdict(), recorded);
+            var cell = new VerdictCell(hazard.name(), method.name(), tried.verdict(), recorded);
             verdicts.add(cell);
             if (tried.verdict().kind() == Verdict.Kind.EXACT) exact.add(method.name());
             else below.append(section(hazard, method, tried, cell.asRecorded()));
@@ -114,7 +115,8 @@ public final class HazardPage<C, I, O> {
         return TopicTexts.of(topic.name(), texts.language()).hazard(hazard);
     }
 
-    private String section(Hazard<I> hazard, Method<C> method, Tried<O> tried, boolean known) {
+    private String section(
+            Hazard<I> hazard, Method<C> method, MethodAnswer<O> tried, boolean known) {
         Verdict verdict = tried.verdict();
         var html =
                 new StringBuilder(
@@ -144,7 +146,7 @@ public final class HazardPage<C, I, O> {
     }
 
     /** The picture of a method's answer to the hazard, under guard, since an answer may be huge. */
-    private Optional<CasePicture> picture(Hazard<I> hazard, Tried<O> tried) {
+    private Optional<CasePicture> picture(Hazard<I> hazard, MethodAnswer<O> tried) {
         if (tried.made().isEmpty()) return Optional.empty();
         var drawn =
                 Guard.call(

@@ -6,7 +6,7 @@ import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
@@ -89,7 +89,7 @@ public final class VerdictTable {
         html.append("</tr>\n");
     }
 
-    private void addCell(Cell cell) {
+    private void addCell(VerdictCell cell) {
         Verdict.Kind kind = cell.verdict().kind();
         String place =
                 kind == Verdict.Kind.EXACT ? cell.hazard() : id(cell.hazard(), cell.method());

@@ -14,7 +14,7 @@ import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.transform.PerspectiveAmount;
-import rasterlab.engine.transform.PerspectiveAmount.Sample;
+import rasterlab.engine.transform.PerspectiveAmount.PerspectiveSample;
 
 /** γ = 1 + 2·dz'/z' over z'/dz', from a quarter of the depth to twelve of them. */
 public final class PerspectiveChart {
@@ -25,12 +25,12 @@ public final class PerspectiveChart {
     private PerspectiveChart() {}
 
     /** A few values to read, half a depth apart. */
-    public static List<Sample> table() {
+    public static List<PerspectiveSample> table() {
         return PerspectiveAmount.chart(0.5, FARTHEST, 24);
     }
 
     /** The points of the curve, a sixteenth of a depth apart. */
-    private static List<Sample> curve() {
+    private static List<PerspectiveSample> curve() {
         return PerspectiveAmount.chart(NEAREST, FARTHEST, 189);
     }
 
@@ -71,8 +71,8 @@ public final class PerspectiveChart {
         XYSeries series =
                 chart.addSeries(
                         "gamma",
-                        curve().stream().mapToDouble(Sample::distance).toArray(),
-                        curve().stream().mapToDouble(Sample::gamma).toArray());
+                        curve().stream().mapToDouble(PerspectiveSample::distance).toArray(),
+                        curve().stream().mapToDouble(PerspectiveSample::gamma).toArray());
         series.setMarker(SeriesMarkers.NONE);
         series.setLineColor(MethodColors.BLUE);
         series.setLineStyle(new BasicStroke(3f));

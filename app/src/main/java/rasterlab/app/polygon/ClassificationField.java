@@ -45,8 +45,8 @@ final class ClassificationField {
             PlaneMap map,
             Rectangle view,
             double leastStep,
-            Membership.Judge first,
-            Membership.Judge second,
+            Membership.PointClassifier first,
+            Membership.PointClassifier second,
             BooleanSupplier cancelled) {
         double fine = Math.scalb(1.0, Math.getExponent(map.worldWidth(APART)) + 1);
         double step = Math.max(leastStep, fine);
@@ -68,14 +68,17 @@ final class ClassificationField {
     }
 
     private static byte verdict(
-            double x, double y, Membership.Judge first, Membership.Judge second) {
+            double x,
+            double y,
+            Membership.PointClassifier first,
+            Membership.PointClassifier second) {
         return (byte)
                 (verdict(x, y, first, FIRST, FIRST_REFUSES)
                         | verdict(x, y, second, SECOND, SECOND_REFUSES));
     }
 
     private static int verdict(
-            double x, double y, Membership.Judge judge, byte inside, byte refused) {
+            double x, double y, Membership.PointClassifier judge, byte inside, byte refused) {
         if (!Double.isFinite(x) || !Double.isFinite(y)) return refused;
         try {
             return judge.contains(x, y) ? inside : 0;

@@ -100,7 +100,7 @@ record InsidePicture(
 
     private ClassificationField field(Graphics2D g, PlaneMap map, BooleanSupplier cancelled) {
         Points corners = CornerList.points(figure.corners());
-        Membership.Judge second =
+        Membership.PointClassifier second =
                 other.isEmpty() ? new ExactMembership(corners) : topics.judge(mode, other, corners);
         boolean whole = figure.whole() || takesWholeOnly(method) || takesWholeOnly(other);
         return ClassificationField.of(

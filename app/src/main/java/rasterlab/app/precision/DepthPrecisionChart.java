@@ -22,7 +22,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.row.RowColors;
 import rasterlab.engine.visibility.depth.DepthPrecision;
-import rasterlab.engine.visibility.depth.DepthPrecision.Sample;
+import rasterlab.engine.visibility.depth.DepthPrecision.PrecisionSample;
 
 /**
  * The smallest distance told apart half way to the far plane, over far/near, both logarithmic: a
@@ -48,7 +48,7 @@ public final class DepthPrecisionChart {
     private DepthPrecisionChart() {}
 
     /** A few values to read, a factor of ten apart. */
-    public static List<Sample> table() {
+    public static List<PrecisionSample> table() {
         return DepthPrecision.samples(1);
     }
 
@@ -98,35 +98,36 @@ public final class DepthPrecisionChart {
         style(chart.getStyler());
         chart.addAnnotation(new PrecisionNotes(texts, paper, LOWEST, HIGHEST));
         Map<String, MethodLook> looks = MethodLook.of(DepthPrecision.FORMATS, RowColors.OWN);
-        List<Sample> lines = DepthPrecision.samples(LINE_PER_DECADE);
-        List<Sample> marks = DepthPrecision.samples(MARKS_PER_DECADE);
+        List<PrecisionSample> lines = DepthPrecision.samples(LINE_PER_DECADE);
+        List<PrecisionSample> marks = DepthPrecision.samples(MARKS_PER_DECADE);
         looks.forEach((format, look) -> line(chart, look.on(paper), of(format, lines)));
         looks.forEach((format, look) -> marks(chart, look.on(paper), of(format, marks)));
         return chart;
     }
 
-    private static List<Sample> of(String format, List<Sample> samples) {
+    private static List<PrecisionSample> of(String format, List<PrecisionSample> samples) {
         return samples.stream().filter(sample -> sample.format().equals(format)).toList();
     }
 
-    private static void line(XYChart chart, MethodLook look, List<Sample> samples) {
-        List<Sample> inside = samples.stream().filter(s -> s.predicted() <= HIGHEST).toList();
+    private static void line(XYChart chart, MethodLook look, List<PrecisionSample> samples) {
+        List<PrecisionSample> inside =
+                samples.stream().filter(s -> s.predicted() <= HIGHEST).toList();
         String format = samples.get(0).format();
         XYSeries series =
                 chart.addSeries(
                         format + " predicted",
-                        inside.stream().mapToDouble(Sample::ratio).toArray(),
-                        inside.stream().mapToDouble(Sample::predicted).toArray());
+                        inside.stream().mapToDouble(PrecisionSample::ratio).toArray(),
+                        inside.stream().mapToDouble(PrecisionSample::predicted).toArray());
         series.setShowInLegend(false);
         series.setMarker(SeriesMarkers.NONE);
         series.setLineColor(look.color());
         series.setLineStyle(new BasicStroke(format.equals(WIDE) ? 6f : 2f));
     }
 
-    private static void marks(XYChart chart, MethodLook look, List<Sample> samples) {
+    private static void marks(XYChart chart, MethodLook look, List<PrecisionSample> samples) {
         String format = samples.get(0).format();
         int first = format.equals(COVERED) ? 1 : 0;
-        List<Sample> marked =
+        List<PrecisionSample> marked =
                 IntStream.range(0, samples.size())
                         .filter(i -> i % MARKS_PER_DECADE == first)
                         .mapToObj(samples::get)
@@ -134,8 +135,8 @@ public final class DepthPrecisionChart {
         XYSeries series =
                 chart.addSeries(
                         format,
-                        marked.stream().mapToDouble(Sample::ratio).toArray(),
-                        marked.stream().mapToDouble(Sample::measured).toArray());
+                        marked.stream().mapToDouble(PrecisionSample::ratio).toArray(),
+                        marked.stream().mapToDouble(PrecisionSample::measured).toArray());
         series.setMarker(look.marker());
         series.setMarkerColor(look.color());
         series.setLineStyle(SeriesLines.NONE);

@@ -10,7 +10,7 @@ import rasterlab.engine.visibility.triangle.DepthTriangles;
 
 /** Triangles in a depth buffer as what each pixel of the picture shows, row behind row. */
 final class DepthTriangleKind
-        extends RowKind<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> {
+        extends RowKind<DepthTriangleFiller, DepthTriangles, DepthTriangles.TrianglePicture> {
     private static final int BACKGROUND = 0xFF7F7F7F;
     private static final int[] COLORS = {0xFFE69F00, 0xFF56B4E9, 0xFF009E73, 0xFFCC79A7};
 
@@ -36,16 +36,16 @@ final class DepthTriangleKind
     }
 
     @Override
-    List<RowScene.Band> right(DepthTriangles input, DepthTriangles.Shown exact) {
+    List<RowScene.Band> right(DepthTriangles input, DepthTriangles.TrianglePicture exact) {
         return List.of(band("right", exact));
     }
 
     @Override
-    List<RowScene.Band> made(DepthTriangles input, DepthTriangles.Shown actual) {
+    List<RowScene.Band> made(DepthTriangles input, DepthTriangles.TrianglePicture actual) {
         return List.of(band("method", actual));
     }
 
-    private static RowScene.Band band(String key, DepthTriangles.Shown picture) {
+    private static RowScene.Band band(String key, DepthTriangles.TrianglePicture picture) {
         return new RowScene.Band(
                 key,
                 IntStream.of(picture.shown()).map(DepthTriangleKind::color).toArray(),
@@ -59,8 +59,8 @@ final class DepthTriangleKind
     @Override
     double error(
             DepthTriangles input,
-            DepthTriangles.Shown exact,
-            DepthTriangles.Shown actual,
+            DepthTriangles.TrianglePicture exact,
+            DepthTriangles.TrianglePicture actual,
             int pixel) {
         return Math.abs(exact.depths()[pixel] - actual.depths()[pixel]);
     }
@@ -68,8 +68,8 @@ final class DepthTriangleKind
     @Override
     boolean wrong(
             DepthTriangles input,
-            DepthTriangles.Shown exact,
-            DepthTriangles.Shown actual,
+            DepthTriangles.TrianglePicture exact,
+            DepthTriangles.TrianglePicture actual,
             int pixel) {
         return exact.shown()[pixel] != actual.shown()[pixel]
                 || error(input, exact, actual, pixel) > USABLE;
@@ -78,8 +78,8 @@ final class DepthTriangleKind
     @Override
     RowScene.Numbers numbers(
             DepthTriangles input,
-            DepthTriangles.Shown exact,
-            Optional<DepthTriangles.Shown> actual,
+            DepthTriangles.TrianglePicture exact,
+            Optional<DepthTriangles.TrianglePicture> actual,
             int pixel) {
         int x = pixel % input.width();
         int y = pixel / input.width();

@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 
@@ -20,7 +20,7 @@ import rasterlab.engine.study.Topic;
  * @param cells one for each pair
  */
 public record HazardMatrix(
-        String topic, List<String> methods, List<String> hazards, List<Cell> cells) {
+        String topic, List<String> methods, List<String> hazards, List<VerdictCell> cells) {
     public HazardMatrix {
         methods = List.copyOf(methods);
         hazards = List.copyOf(hazards);
@@ -41,7 +41,7 @@ public record HazardMatrix(
      *
      * @param cells one for each pair, or the first of them
      */
-    public static HazardMatrix of(Topic<?, ?, ?> topic, List<Cell> cells) {
+    public static HazardMatrix of(Topic<?, ?, ?> topic, List<VerdictCell> cells) {
         return new HazardMatrix(
                 topic.name(),
                 topic.methods().stream().map(Method::name).toList(),
@@ -51,11 +51,11 @@ public record HazardMatrix(
 
     /** Whether every verdict is the recorded one. */
     public boolean asRecorded() {
-        return cells.stream().allMatch(Cell::asRecorded);
+        return cells.stream().allMatch(VerdictCell::asRecorded);
     }
 
     /** The cell of that pair. */
-    public Cell cell(String hazard, String method) {
+    public VerdictCell cell(String hazard, String method) {
         return cells.stream()
                 .filter(cell -> cell.hazard().equals(hazard) && cell.method().equals(method))
                 .findFirst()
@@ -70,14 +70,15 @@ public record HazardMatrix(
         json.writeBooleanField("asRecorded", matrices.stream().allMatch(HazardMatrix::asRecorded));
         json.writeArrayFieldStart("verdicts");
         for (HazardMatrix matrix : matrices)
-            for (Cell cell : matrix.cells) writeCell(json, matrix.topic, cell);
+            for (VerdictCell cell : matrix.cells) writeCell(json, matrix.topic, cell);
         json.writeEndArray();
         json.writeEndObject();
         json.writeRaw('\n');
         json.close();
     }
 
-    private static void writeCell(JsonGenerator json, String topic, Cell cell) throws IOException {
+    private static void writeCell(JsonGenerator json, String topic, VerdictCell cell)
+            throws IOException {
         json.writeStartObject();
         json.writeStringField("topic", topic);
         json.writeStringField("hazard", cell.hazard());

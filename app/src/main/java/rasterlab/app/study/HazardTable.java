@@ -30,7 +30,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
@@ -221,23 +221,23 @@ final class HazardTable extends JTable {
         return methods.get(column).name().equals(OwnMethods.NAME);
     }
 
-    private Optional<Cell> fresh(int row, int column) {
+    private Optional<VerdictCell> fresh(int row, int column) {
         return model.state().cell(hazards.get(row).name(), methods.get(column).name());
     }
 
     @Override
     public TableCellRenderer getCellRenderer(int row, int column) {
-        return new VerdictCell();
+        return new VerdictRenderer();
     }
 
-    private final class VerdictCell extends DefaultTableCellRenderer {
+    private final class VerdictRenderer extends DefaultTableCellRenderer {
         private static final long serialVersionUID = 1L;
 
         @Override
         public Component getTableCellRendererComponent(
                 JTable table, Object value, boolean on, boolean focused, int row, int column) {
             super.getTableCellRendererComponent(table, value, on, focused, row, column);
-            Optional<Cell> fresh = fresh(row, column);
+            Optional<VerdictCell> fresh = fresh(row, column);
             Verdict.Kind kind =
                     fresh.map(cell -> cell.verdict().kind()).orElse(recorded(row, column));
             setHorizontalAlignment(CENTER);
@@ -284,7 +284,7 @@ final class HazardTable extends JTable {
 
         @Override
         public Object getValueAt(int row, int column) {
-            Optional<Cell> fresh = fresh(row, column);
+            Optional<VerdictCell> fresh = fresh(row, column);
             if (fresh.isEmpty())
                 return isOwn(column) ? "" : VerdictSign.of(recorded(row, column)).sign();
             String sign = VerdictSign.of(fresh.get().verdict().kind()).sign();

@@ -11,7 +11,7 @@ import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Progress;
@@ -88,7 +88,7 @@ public final class OwnStudy<C, I, O> {
     }
 
     /** The program's verdict on each hazard, as {@link HazardTrial#table}. */
-    List<Cell> hazards(Consumer<Cell> judged, BooleanSupplier cancelled) {
+    List<VerdictCell> hazards(Consumer<VerdictCell> judged, BooleanSupplier cancelled) {
         program.prepare();
         return HazardTrial.table(
                 own.only(topic, List.of(own.method(topic, OwnMethods.NAME))),

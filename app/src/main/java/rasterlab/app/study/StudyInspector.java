@@ -23,7 +23,7 @@ import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Study;
@@ -230,7 +230,7 @@ final class StudyInspector {
         }
         Hazard<?> hazard = model.hazard(state.hazard());
         Method<?> method = state.topic().method(state.method());
-        Optional<Cell> fresh = state.cell(hazard.name(), method.name());
+        Optional<VerdictCell> fresh = state.cell(hazard.name(), method.name());
         verdict.setText(
                 fresh.map(cell -> texts.text("verdict." + cell.verdict().kind().code()))
                         .orElse(texts.text("verdict.untried")));

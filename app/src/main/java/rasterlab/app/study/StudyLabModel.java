@@ -23,7 +23,7 @@ import rasterlab.app.study.chart.StudyWork;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Progress;
@@ -52,7 +52,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     private final Background background;
     private final LatestReading reading;
     private final Map<String, Study> studies = new HashMap<>();
-    private final Map<String, List<Cell>> verdicts = new HashMap<>();
+    private final Map<String, List<VerdictCell>> verdicts = new HashMap<>();
     private final Listeners<StudyLabState> listeners = new Listeners<>();
     private Optional<KeptStudies> kept = Optional.empty();
     private StudyLabState state;
@@ -191,7 +191,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         publish(first(plain(topic), state.thorough(), state.view()));
     }
 
-    private static List<Cell> without(List<Cell> cells) {
+    private static List<VerdictCell> without(List<VerdictCell> cells) {
         return cells.stream().filter(one -> !one.method().equals(OwnMethods.NAME)).toList();
     }
 
@@ -326,11 +326,11 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         begin(
                 StudyWork.Kind.HAZARDS,
                 tell -> {
-                    var judged = new ArrayList<Cell>();
+                    var judged = new ArrayList<VerdictCell>();
                     var news =
-                            new ThrottledUpdates<List<Cell>>(
+                            new ThrottledUpdates<List<VerdictCell>>(
                                     tell, BETWEEN_NEWS, cells -> tell(cells, of));
-                    List<Cell> all =
+                    List<VerdictCell> all =
                             tried(
                                     topic.name(),
                                     cell -> {
@@ -344,7 +344,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                 });
     }
 
-    private List<Cell> tried(String topic, Consumer<Cell> judged) {
+    private List<VerdictCell> tried(String topic, Consumer<VerdictCell> judged) {
         Topic<?, ?, ?> plain = plain(topic);
         BooleanSupplier cancelled = Thread.currentThread()::isInterrupted;
         var cells =
@@ -356,8 +356,8 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         return cells;
     }
 
-    private void tell(List<Cell> cells, int of) {
-        Cell last = cells.get(cells.size() - 1);
+    private void tell(List<VerdictCell> cells, int of) {
+        VerdictCell last = cells.get(cells.size() - 1);
         var work =
                 new StudyWork(
                         StudyWork.Kind.HAZARDS, cells.size(), of, last.method(), last.hazard());

@@ -3,7 +3,7 @@ package rasterlab.app.study;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.study.chart.StudyWork;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Study;
@@ -26,7 +26,7 @@ public record StudyLabState(
         boolean thorough,
         StudyView view,
         Optional<Study> study,
-        List<Cell> cells,
+        List<VerdictCell> cells,
         String level,
         String marked,
         String hazard,
@@ -59,7 +59,7 @@ public record StudyLabState(
     }
 
     /** The fresh verdict of that pair; empty where it was not tried. */
-    Optional<Cell> cell(String ofHazard, String ofMethod) {
+    Optional<VerdictCell> cell(String ofHazard, String ofMethod) {
         return cells.stream()
                 .filter(cell -> cell.hazard().equals(ofHazard) && cell.method().equals(ofMethod))
                 .findFirst();
@@ -95,7 +95,7 @@ public record StudyLabState(
                 work);
     }
 
-    StudyLabState withCells(List<Cell> next) {
+    StudyLabState withCells(List<VerdictCell> next) {
         return new StudyLabState(
                 topic, thorough, view, study, next, level, marked, hazard, method, work);
     }

@@ -9,7 +9,7 @@ import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Topic;
 
 /** Every topic's method × hazard table. */
@@ -56,7 +56,7 @@ final class HazardSection implements TourPart {
             throw new IllegalStateException(page.texts().text("hazards.differ"));
     }
 
-    private static String verdict(StudyWords words, Cell cell) {
+    private static String verdict(StudyWords words, VerdictCell cell) {
         String verdict = words.verdict(cell.verdict().kind());
         return cell.asRecorded() ? verdict : verdict + " !";
     }

@@ -81,7 +81,7 @@ record Drawn(
     }
 
     static boolean isCut(VisibilityStep step) {
-        return step instanceof VisibilityStep.Cut
+        return step instanceof VisibilityStep.FaceCut
                 || step instanceof VisibilityStep.Window window && window.divided();
     }
 }

@@ -85,7 +85,7 @@ final class LookControls {
     }
 
     private static List<String> withOneEye() {
-        return Stream.concat(Stream.of(ONE_EYE), Stereo.Kind.names().stream()).toList();
+        return Stream.concat(Stream.of(ONE_EYE), Stereo.StereoMode.names().stream()).toList();
     }
 
     private static List<String> withScene(Enum<?>... constants) {
@@ -121,7 +121,7 @@ final class LookControls {
     }
 
     private UnaryOperator<LookChoice> stereo(String name) {
-        return look -> look.withStereo(constant(Stereo.Kind.values(), name));
+        return look -> look.withStereo(constant(Stereo.StereoMode.values(), name));
     }
 
     /** The slider's end stands for no far plane. */
@@ -232,7 +232,7 @@ final class LookControls {
         refreshPlanes(look.clipPlanes());
         boolean central = choice.projection().equals("perspective");
         stereo.setEnabled(central);
-        stereo.show(look.stereo().map(Stereo.Kind::code).orElse(ONE_EYE));
+        stereo.show(look.stereo().map(Stereo.StereoMode::code).orElse(ONE_EYE));
         column.showRow(eyes, central && look.stereo().isPresent());
         eyes.show(look.eyes(), number(look.eyes(), 3) + " ρ");
     }

@@ -64,18 +64,18 @@ final class StageOverlay {
                 .limit(MOST_CUTS)
                 .forEach(piece -> outline(piece.getValue(), FINE, DASHED, MethodColors.WINE));
         VisibilityStep last = steps.get(steps.size() - 1);
-        if (last instanceof VisibilityStep.Drawn face)
+        if (last instanceof VisibilityStep.FaceDrawn face)
             outline(
                     drawn.pieces()
                             .getOrDefault(
                                     steps.size() - 1,
                                     FaceOutlines.corners(drawn.view(), face.face())));
-        else if (last instanceof VisibilityStep.Moved moved)
+        else if (last instanceof VisibilityStep.FaceMoved moved)
             outline(FaceOutlines.corners(drawn.view(), moved.face()));
-        else if (last instanceof VisibilityStep.Cut cut) {
+        else if (last instanceof VisibilityStep.FaceCut cut) {
             outline(FaceOutlines.corners(drawn.view(), cut.face()));
             cut(drawn.view(), cut);
-        } else if (last instanceof VisibilityStep.Span span)
+        } else if (last instanceof VisibilityStep.SpanSeen span)
             box(span.from(), span.y(), span.to() - span.from(), 1);
         else if (last instanceof VisibilityStep.Window window)
             box(window.x(), window.y(), window.width(), window.height());
@@ -100,7 +100,7 @@ final class StageOverlay {
         g.draw(path);
     }
 
-    private void cut(ViewedMesh view, VisibilityStep.Cut cut) {
+    private void cut(ViewedMesh view, VisibilityStep.FaceCut cut) {
         Optional<double[]> ends = FaceOutlines.cut(view, cut.face(), cut.by());
         if (ends.isEmpty()) return;
         double[] e = ends.get();

@@ -56,13 +56,13 @@ final class StepList extends JList<VisibilityStep> {
     private String text(int index, VisibilityStep step) {
         String number = Integer.toString(index + 1);
         String value = Shown.number(step.value(), 3, texts.locale());
-        if (step instanceof VisibilityStep.Drawn drawn)
+        if (step instanceof VisibilityStep.FaceDrawn drawn)
             return texts.text("step.drawn", number, face(drawn.face()), value);
-        if (step instanceof VisibilityStep.Moved moved)
+        if (step instanceof VisibilityStep.FaceMoved moved)
             return texts.text("step.moved", number, face(moved.face()), face(moved.before()));
-        if (step instanceof VisibilityStep.Cut cut)
+        if (step instanceof VisibilityStep.FaceCut cut)
             return texts.text("step.cut", number, face(cut.face()), face(cut.by()));
-        if (step instanceof VisibilityStep.Span span)
+        if (step instanceof VisibilityStep.SpanSeen span)
             return texts.text(
                     "step.span",
                     number,

@@ -18,7 +18,7 @@ import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyConditions;
@@ -147,13 +147,13 @@ class FoundWordsTest {
 
     private static String hardest(Language language, Verdict.Kind... kinds) {
         Hazard<?> hazard = VIEW.hazards().get(1);
-        var cells = new ArrayList<Cell>();
+        var cells = new ArrayList<VerdictCell>();
         var methods = new ArrayList<String>();
         for (Verdict.Kind kind : kinds) {
             String method = "m" + methods.size();
             methods.add(method);
             var verdict = new Verdict(kind, Deviation.NONE, "");
-            cells.add(new Cell(hazard.name(), method, verdict, kind));
+            cells.add(new VerdictCell(hazard.name(), method, verdict, kind));
         }
         var matrix = new HazardMatrix("view", methods, List.of(hazard.name()), cells);
         String said = said(matrix, language, timed("taken-apart", 5, 0));

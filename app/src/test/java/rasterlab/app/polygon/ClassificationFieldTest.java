@@ -86,7 +86,7 @@ class ClassificationFieldTest {
 
     @Test
     void newerFrameStopsIt() {
-        Membership.Judge judge = new ExactMembership(TRIANGLE);
+        Membership.PointClassifier judge = new ExactMembership(TRIANGLE);
         assertThrows(
                 CancellationException.class,
                 () -> ClassificationField.of(map(0, 0, 12, 8), VIEW, 0, judge, judge, () -> true));

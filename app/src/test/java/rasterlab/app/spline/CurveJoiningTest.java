@@ -36,7 +36,7 @@ class CurveJoiningTest {
         assertEquals(AWAY, moved.get(point));
         for (Joint joint : Joint.all(CurveForm.PIECES.curves(moved)))
             assertTrue(
-                    joint.kind().compareTo(CurveJoint.Kind.valueOf(joining.name())) >= 0,
+                    joint.kind().compareTo(CurveJoint.Continuity.valueOf(joining.name())) >= 0,
                     joint.toString());
     }
 
@@ -54,7 +54,8 @@ class CurveJoiningTest {
         List<Place> moved = CurveJoining.C0.moved(POINTS, 2, AWAY);
         for (int i = 0; i < POINTS.size(); i++)
             assertEquals(i == 2 ? AWAY : POINTS.get(i), moved.get(i), "point " + i);
-        assertEquals(CurveJoint.Kind.C0, Joint.all(CurveForm.PIECES.curves(moved)).get(0).kind());
+        assertEquals(
+                CurveJoint.Continuity.C0, Joint.all(CurveForm.PIECES.curves(moved)).get(0).kind());
     }
 
     @Test

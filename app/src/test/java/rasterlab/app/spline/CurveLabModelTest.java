@@ -148,7 +148,8 @@ class CurveLabModelTest {
         settle();
         List<Joint> joints = model.state().drawings().joints();
         assertEquals(3, joints.size());
-        assertTrue(joints.get(2).kind().compareTo(CurveJoint.Kind.C1) >= 0, "" + joints.get(2));
+        assertTrue(
+                joints.get(2).kind().compareTo(CurveJoint.Continuity.C1) >= 0, "" + joints.get(2));
     }
 
     @Test
@@ -209,7 +210,8 @@ class CurveLabModelTest {
     void jointsAreAsSmoothAsTheFormPromises(CurveForm form) {
         model.chooseForm(form);
         settle();
-        var promised = form == CurveForm.B_SPLINE ? CurveJoint.Kind.C2 : CurveJoint.Kind.C1;
+        var promised =
+                form == CurveForm.B_SPLINE ? CurveJoint.Continuity.C2 : CurveJoint.Continuity.C1;
         List<Joint> joints = model.state().drawings().joints();
         assertEquals(3, joints.size());
         for (Joint joint : joints) assertEquals(promised, joint.kind());

@@ -39,7 +39,7 @@ class CurvePlanLabTest {
         model.sample(Sampling.flat(0.25));
         for (int times : new int[] {1, CurvePlanning.MOST_TIMES}) {
             CurvePlan plan = planned(new CurvePlanning(true, times));
-            CurvePlan.Way best = plan.chosen();
+            CurvePlan.MethodPolylines best = plan.chosen();
             assertEquals(times == 1 ? "uniform" : "fewest", best.method());
             assertEquals(best.method(), model.state().drawing().method());
             assertEquals(best.method(), model.state().choice().method());

@@ -19,7 +19,7 @@ import rasterlab.app.mine.OwnProgram;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Study;
@@ -123,7 +123,7 @@ class OwnStudyTest {
     @Test
     void hazardsAreJudgedAsThoseOfEveryMethod() {
         bring(RIGHT.replace("n - ((steep ? sx : sy) > 0 ? 1 : 0)", "n"));
-        List<Cell> cells =
+        List<VerdictCell> cells =
                 new OwnStudy<>(topic, own.of("line").orElseThrow(), own)
                         .hazards(cell -> {}, () -> false);
         assertEquals(topic.hazards().size(), cells.size());
@@ -149,10 +149,10 @@ class OwnStudyTest {
     @Test
     void aRightProgramIsExactOnWhateverIsNotTooLong() {
         bring(RIGHT);
-        List<Cell> cells =
+        List<VerdictCell> cells =
                 new OwnStudy<>(topic, own.of("line").orElseThrow(), own)
                         .hazards(cell -> {}, () -> false);
-        for (Cell one : cells)
+        for (VerdictCell one : cells)
             assertTrue(
                     one.verdict().kind() == Verdict.Kind.EXACT
                             || one.verdict().detail().endsWith("items and was stopped"),

@@ -131,7 +131,7 @@ class StudyInspectorTest {
                     new StudyInspector(
                             model, Texts.of("study", Language.RUSSIAN), NOWHERE, () -> {});
             model.show(StudyView.HAZARDS);
-            for (HazardTrial.Cell cell : model.state().cells()) {
+            for (HazardTrial.VerdictCell cell : model.state().cells()) {
                 String detail = cell.verdict().detail();
                 model.choose(cell.hazard(), cell.method());
                 inspector.refresh();

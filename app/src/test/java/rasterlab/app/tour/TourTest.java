@@ -38,7 +38,7 @@ import rasterlab.app.tour.LabPictures.Look;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
@@ -87,16 +87,16 @@ class TourTest {
     private static HazardMatrix recorded(Topic<?, ?, ?> topic) {
         List<String> methods = topic.methods().stream().map(Method::name).toList();
         List<String> hazards = topic.hazards().stream().map(Hazard::name).toList();
-        List<Cell> cells =
+        List<VerdictCell> cells =
                 topic.hazards().stream()
                         .flatMap(hazard -> methods.stream().map(method -> recorded(hazard, method)))
                         .toList();
         return new HazardMatrix(topic.name(), methods, hazards, cells);
     }
 
-    private static Cell recorded(Hazard<?> hazard, String method) {
+    private static VerdictCell recorded(Hazard<?> hazard, String method) {
         Verdict.Kind kind = hazard.recorded().get(method);
-        return new Cell(hazard.name(), method, new Verdict(kind, Deviation.NONE, ""), kind);
+        return new VerdictCell(hazard.name(), method, new Verdict(kind, Deviation.NONE, ""), kind);
     }
 
     @Test

@@ -93,7 +93,8 @@ class VisibilityCommandTest {
                         choice ->
                                 choice.with(
                                         choice.look()
-                                                .withStereo(Optional.of(Stereo.Kind.SIDE_BY_SIDE))
+                                                .withStereo(
+                                                        Optional.of(Stereo.StereoMode.SIDE_BY_SIDE))
                                                 .withEyes(0.1))),
                 mistake(
                         "eyes are asked of a parallel projection",
@@ -103,7 +104,8 @@ class VisibilityCommandTest {
                                                 choice.look()
                                                         .withStereo(
                                                                 Optional.of(
-                                                                        Stereo.Kind.ANAGLYPH)))));
+                                                                        Stereo.StereoMode
+                                                                                .ANAGLYPH)))));
     }
 
     private static VisibilityChoice wires(VisibilityChoice choice) {

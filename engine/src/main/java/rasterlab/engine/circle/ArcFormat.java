@@ -26,9 +26,9 @@ abstract class ArcFormat<C, I> extends Format<C, I, PixelRecording> {
             Field.required("center", Shape.wholes(2)).as(FieldKind.CENTER).in("pixels");
 
     private final ArcTopic<C, I> topic;
-    private final AnsweredPixels.Figure figure;
+    private final AnsweredPixels.FigureName figure;
 
-    ArcFormat(ArcTopic<C, I> topic, AnsweredPixels.Figure figure) {
+    ArcFormat(ArcTopic<C, I> topic, AnsweredPixels.FigureName figure) {
         super(topic);
         this.topic = topic;
         this.figure = figure;

@@ -18,7 +18,7 @@ final class CircleFormat extends ArcFormat<CircleRasterizer, Circle> {
                     .in("pixels");
 
     CircleFormat(CircleTopic topic) {
-        super(topic, new AnsweredPixels.Figure("circle", "give a smaller \"radius\""));
+        super(topic, new AnsweredPixels.FigureName("circle", "give a smaller \"radius\""));
     }
 
     @Override

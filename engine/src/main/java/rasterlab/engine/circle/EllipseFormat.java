@@ -16,7 +16,7 @@ final class EllipseFormat extends ArcFormat<EllipseRasterizer, Ellipse> {
     private static final Field<Integer> RY = radius("ry").as(FieldKind.RADIUS_Y);
 
     EllipseFormat(EllipseTopic topic) {
-        super(topic, new AnsweredPixels.Figure("ellipse", "give smaller \"rx\" and \"ry\""));
+        super(topic, new AnsweredPixels.FigureName("ellipse", "give smaller \"rx\" and \"ry\""));
     }
 
     /** A field for a radius, in the range that every method takes. */

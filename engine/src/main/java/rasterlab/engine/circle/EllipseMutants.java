@@ -69,11 +69,11 @@ final class EllipseMutants {
                         "rows-from-45-degrees-on", "corner", EllipseMutants::splitAtTheDiagonal));
     }
 
-    interface Kept {
+    interface PixelCondition {
         boolean test(int u, int v);
     }
 
-    private static void keep(int x0, int y0, int a, int b, Kept kept, Pixels out) {
+    private static void keep(int x0, int y0, int a, int b, PixelCondition kept, Pixels out) {
         RIGHT.draw(
                 x0,
                 y0,
@@ -125,8 +125,8 @@ final class EllipseMutants {
             int a,
             int b,
             DoubleUnaryOperator rounding,
-            Kept columns,
-            Kept rows,
+            PixelCondition columns,
+            PixelCondition rows,
             Pixels out) {
         Mirror mirror = Mirror.about(x0, y0, a, b, out);
         var drawn = new HashSet<Long>();

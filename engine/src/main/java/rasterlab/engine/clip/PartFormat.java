@@ -67,7 +67,7 @@ public final class PartFormat {
     }
 
     /** One step of a walk: what it looked at, what it decided by, what it left. */
-    public record Step(String at, double decision, double[] left) implements Written {
+    public record SegmentStep(String at, double decision, double[] left) implements Written {
         @Override
         public void write(ValueSink out) throws IOException {
             out.text("at", at);

@@ -3,9 +3,9 @@ package rasterlab.engine.format;
 import java.io.IOException;
 
 /** A number of a range. */
-record NumberShape(double least, double most, Range range) implements Shape<Double> {
+record NumberShape(double least, double most, IncludedEnds range) implements Shape<Double> {
     /** Which ends of a range belong to it. */
-    enum Range {
+    enum IncludedEnds {
         /** Every finite number. */
         ANY,
         CLOSED,
@@ -31,9 +31,9 @@ record NumberShape(double least, double most, Range range) implements Shape<Doub
     public void schema(ValueSink out) throws IOException {
         out.startObject();
         out.text("type", "number");
-        if (range == Range.ABOVE) out.number("exclusiveMinimum", least);
-        if (range == Range.CLOSED) out.number("minimum", least);
-        if (range != Range.ANY) out.number("maximum", most);
+        if (range == IncludedEnds.ABOVE) out.number("exclusiveMinimum", least);
+        if (range == IncludedEnds.CLOSED) out.number("minimum", least);
+        if (range != IncludedEnds.ANY) out.number("maximum", most);
         out.endObject();
     }
 }

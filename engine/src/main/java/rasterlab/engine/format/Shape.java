@@ -27,17 +27,17 @@ public interface Shape<T> {
 
     /** A finite number. */
     static Shape<Double> number() {
-        return new NumberShape(-Double.MAX_VALUE, Double.MAX_VALUE, NumberShape.Range.ANY);
+        return new NumberShape(-Double.MAX_VALUE, Double.MAX_VALUE, NumberShape.IncludedEnds.ANY);
     }
 
     /** A number from {@code least} to {@code most}. */
     static Shape<Double> number(double least, double most) {
-        return new NumberShape(least, most, NumberShape.Range.CLOSED);
+        return new NumberShape(least, most, NumberShape.IncludedEnds.CLOSED);
     }
 
     /** A number above {@code least}, up to {@code most}. */
     static Shape<Double> numberAbove(double least, double most) {
-        return new NumberShape(least, most, NumberShape.Range.ABOVE);
+        return new NumberShape(least, most, NumberShape.IncludedEnds.ABOVE);
     }
 
     /** A whole number from {@code least} to {@code most}. */

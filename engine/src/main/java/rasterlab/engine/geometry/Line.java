@@ -24,7 +24,7 @@ public record Line(Vector from, Vector through) {
     }
 
     /** Where a point of the line lies. */
-    public enum Part {
+    public enum PositionOnLine {
         BEHIND,
         BETWEEN,
         BEYOND
@@ -46,8 +46,10 @@ public record Line(Vector from, Vector through) {
     }
 
     /** Which part of the line μ names; both points count as between. */
-    public static Part part(double mu) {
+    public static PositionOnLine part(double mu) {
         Finite.require("mu", mu);
-        return mu < 0 ? Part.BEHIND : mu > 1 ? Part.BEYOND : Part.BETWEEN;
+        return mu < 0
+                ? PositionOnLine.BEHIND
+                : mu > 1 ? PositionOnLine.BEYOND : PositionOnLine.BETWEEN;
     }
 }

@@ -34,8 +34,8 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
             Field.optional("window", new Window()).as(FieldKind.WINDOW).in("pixels");
     private static final Field<?> COVERAGE =
             Field.optional("coverage", Shape.list(Shape.whole(0, 255)));
-    private static final AnsweredPixels.Figure FIGURE =
-            new AnsweredPixels.Figure("segment", "give a smaller \"window\"");
+    private static final AnsweredPixels.FigureName FIGURE =
+            new AnsweredPixels.FigureName("segment", "give a smaller \"window\"");
 
     LineFormat(Topic<LineRasterizer, Segment, PixelRecording> topic) {
         super(topic);

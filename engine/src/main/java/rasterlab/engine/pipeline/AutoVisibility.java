@@ -7,7 +7,7 @@ import rasterlab.engine.sight.LightWork;
 import rasterlab.engine.sight.Reason;
 import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.sight.SightChoice;
-import rasterlab.engine.sight.SightChoice.Sight;
+import rasterlab.engine.sight.SightChoice.ChosenVisibility;
 import rasterlab.engine.sight.SightFacts;
 import rasterlab.engine.sight.cost.Costs;
 
@@ -30,12 +30,12 @@ final class AutoVisibility {
         Look look = request.look();
         if (!look.visibility().equals(Renderer.AUTO))
             return new Choice(look.visibility(), "asked for");
-        Sight sight = sight(request, RequestView.of(request, request.width()));
+        ChosenVisibility sight = sight(request, RequestView.of(request, request.width()));
         return new Choice(sight.method(), sight.reason().english());
     }
 
     /** The method that {@code auto} stands for in a view. */
-    Sight sight(RenderRequest request, RequestView seen) {
+    ChosenVisibility sight(RenderRequest request, RequestView seen) {
         Look look = request.look();
         var areas = new ScreenAreas(seen.viewed());
         ShadingMethod shading = ShadingMethod.named(Renderer.shading(request).chosen());
@@ -53,9 +53,10 @@ final class AutoVisibility {
         return new SightChoice(facts, seen::viewed, costs).exact(light, areas);
     }
 
-    private static Sight plain(String method, Reason reason, ScreenAreas areas) {
+    private static ChosenVisibility plain(String method, Reason reason, ScreenAreas areas) {
         var light = new LightWork(false, new boolean[areas.faces()], 0, false);
-        return new Sight(method, false, reason, 0, light.estimate(areas, false, true, 0), false);
+        return new ChosenVisibility(
+                method, false, reason, 0, light.estimate(areas, false, true, 0), false);
     }
 
     /** How much light and texture a request asks for. */

@@ -23,19 +23,20 @@ final class Eyes {
                     "stereo needs perspective, since two eyes see the same in projection '%s'"
                             .formatted(projection.code()));
         new StereoPair(camera, stereo.separation(camera.rho()));
-        if (stereo.kind() == Stereo.Kind.SIDE_BY_SIDE && width < 2)
+        if (stereo.kind() == Stereo.StereoMode.SIDE_BY_SIDE && width < 2)
             throw new IllegalArgumentException(
                     "two pictures side by side need a width of at least 2, got " + width);
     }
 
     /** The width of each eye's picture. */
     static int width(Stereo stereo, int whole) {
-        return stereo.kind() == Stereo.Kind.ANAGLYPH ? whole : whole / 2;
+        return stereo.kind() == Stereo.StereoMode.ANAGLYPH ? whole : whole / 2;
     }
 
     /** Puts two pictures of that width into the whole one. */
     static void join(Stereo stereo, Raster left, Raster right, Raster out) {
-        if (stereo.kind() == Stereo.Kind.ANAGLYPH) anaglyph(left.argb(), right.argb(), out.argb());
+        if (stereo.kind() == Stereo.StereoMode.ANAGLYPH)
+            anaglyph(left.argb(), right.argb(), out.argb());
         else {
             copy(left, out, 0);
             copy(right, out, out.width() - right.width());

@@ -257,11 +257,11 @@ public final class Renderer implements AutoCloseable {
     }
 
     private static DirectLook directLook(Look look, ShadingMethod shading) {
-        DirectLook.Light light =
+        DirectLook.LightingPlace light =
                 switch (shading) {
-                    case FLAT -> DirectLook.Light.FACES;
-                    case GOURAUD -> DirectLook.Light.CORNERS;
-                    case PHONG -> DirectLook.Light.PIXELS;
+                    case FLAT -> DirectLook.LightingPlace.FACES;
+                    case GOURAUD -> DirectLook.LightingPlace.CORNERS;
+                    case PHONG -> DirectLook.LightingPlace.PIXELS;
                     default -> throw new AssertionError("the pipeline does not draw " + shading);
                 };
         return new DirectLook(light, look.texture(), look.savings());

@@ -11,12 +11,12 @@ import rasterlab.engine.naming.Named;
  * @param kind how they are shown
  * @param separation of the eyes in world units; {@link #USUAL} of ρ when 0
  */
-public record Stereo(Kind kind, double separation) {
+public record Stereo(StereoMode kind, double separation) {
     /** The eyes' separation as a share of ρ unless another is given: about 2 degrees. */
     public static final double USUAL = 1 / 30.0;
 
     /** How two pictures are shown as one. */
-    public enum Kind {
+    public enum StereoMode {
         /** The left eye's brightness in red, the right eye's in green and blue. */
         ANAGLYPH,
         /** The left eye's picture in the left half, the right eye's in the right half. */
@@ -29,14 +29,14 @@ public record Stereo(Kind kind, double separation) {
 
         /** The names that {@link #named} knows. */
         public static List<String> names() {
-            return Arrays.stream(values()).map(Kind::code).toList();
+            return Arrays.stream(values()).map(StereoMode::code).toList();
         }
 
         /**
          * @throws IllegalArgumentException for an unknown name; the message lists the known ones
          */
-        public static Kind named(String name) {
-            return Named.find("kind of stereo picture", name, List.of(values()), Kind::code);
+        public static StereoMode named(String name) {
+            return Named.find("kind of stereo picture", name, List.of(values()), StereoMode::code);
         }
     }
 

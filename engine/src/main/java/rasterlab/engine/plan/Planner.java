@@ -19,7 +19,7 @@ import rasterlab.engine.sight.DepthReach;
 import rasterlab.engine.sight.LightWork;
 import rasterlab.engine.sight.Reason;
 import rasterlab.engine.sight.ScreenAreas;
-import rasterlab.engine.sight.SightChoice.Sight;
+import rasterlab.engine.sight.SightChoice.ChosenVisibility;
 import rasterlab.engine.sight.SightFacts;
 import rasterlab.engine.sight.SightPlan;
 import rasterlab.engine.sight.cost.Costs;
@@ -111,7 +111,7 @@ public final class Planner {
         left -= texturing.levels();
         ShadingPlan shading =
                 ShadingPlan.of(shown, texturing.reads(), left, this::predicted, decisions);
-        Sight sight = sight(shown, reach, shading, decisions);
+        ChosenVisibility sight = sight(shown, reach, shading, decisions);
         Look look =
                 request.look()
                         .withVisibility(sight.method())
@@ -194,7 +194,10 @@ public final class Planner {
 
     /** Decisions of a plan that keeps all, since what it could leave out is worth too little. */
     private static List<PlanDecision> kept(
-            List<PlanDecision> decisions, RenderRequest full, Sight sight, Plan.Cost all) {
+            List<PlanDecision> decisions,
+            RenderRequest full,
+            ChosenVisibility sight,
+            Plan.Cost all) {
         List<PlanDecision> kept = new ArrayList<>();
         for (PlanDecision decision : decisions)
             if (!decision.saves() && !decision.subject().equals("visibility")) kept.add(decision);
@@ -225,13 +228,13 @@ public final class Planner {
         return costs.milliseconds(Family.PIPELINE, work, cores);
     }
 
-    private Sight sight(
+    private ChosenVisibility sight(
             ShownFaces shown,
             Optional<DepthReach> reach,
             ShadingPlan shading,
             List<PlanDecision> decisions) {
         var choice = new SightPlan(shown.facts(), reach, () -> shown.all().viewed(), costs);
-        Sight sight =
+        ChosenVisibility sight =
                 choice.choose(
                         shading.directWork(),
                         shading.paintedWork(),

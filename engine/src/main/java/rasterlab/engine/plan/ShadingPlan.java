@@ -8,7 +8,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.MixedLight;
 import rasterlab.engine.sight.LightWork;
 import rasterlab.engine.sight.Reason;
-import rasterlab.engine.sight.SightChoice.Sight;
+import rasterlab.engine.sight.SightChoice.ChosenVisibility;
 import rasterlab.engine.sight.cost.PictureWork;
 
 /**
@@ -44,7 +44,7 @@ record ShadingPlan(
     }
 
     /** The shading of a plan whose faces are hidden by a method. */
-    ShadingMethod planned(Sight sight) {
+    ShadingMethod planned(ChosenVisibility sight) {
         return sight.method().equals("pipeline") ? direct : painted;
     }
 

@@ -10,7 +10,7 @@ import java.math.BigDecimal;
  * point crosses at {@code x0 + (y − y0)·(x1 − x0)/(y1 − y0)}; the division is multiplied away. The
  * point is inside when an odd number cross to its right. Shares no code with the methods it judges.
  */
-public final class ExactMembership implements Membership.Judge {
+public final class ExactMembership implements Membership.PointClassifier {
     private final BigDecimal[] x;
     private final BigDecimal[] y;
 

@@ -26,7 +26,7 @@ public final class MeetingEdges {
     private final int[][] at;
 
     private final TreeSet<Integer> crossed = new TreeSet<>(this::compare);
-    private Optional<Pair> found = Optional.empty();
+    private Optional<EdgePair> found = Optional.empty();
 
     private MeetingEdges(double[] x, double[] y, int[] from, int[] to, int[][] at) {
         this.x = x;
@@ -41,7 +41,7 @@ public final class MeetingEdges {
      *
      * @param one the smaller number
      */
-    public record Pair(int one, int other) {}
+    public record EdgePair(int one, int other) {}
 
     /**
      * The first pair that the sweep finds; none where the polygon is simple.
@@ -51,7 +51,7 @@ public final class MeetingEdges {
      * @param x of at least 3 corners, finite, no two following ones in one place
      * @param y as many
      */
-    public static Optional<Pair> of(double[] x, double[] y) {
+    public static Optional<EdgePair> of(double[] x, double[] y) {
         int n = x.length;
         int[] from = new int[n];
         int[] to = new int[n];
@@ -72,7 +72,7 @@ public final class MeetingEdges {
      * @param from the corner where each edge begins
      * @param to where it ends, another one; no two edges join the same corners
      */
-    public static Optional<Pair> of(double[] x, double[] y, int[] from, int[] to) {
+    public static Optional<EdgePair> of(double[] x, double[] y, int[] from, int[] to) {
         int[] count = new int[x.length];
         for (int e = 0; e < from.length; e++) {
             count[from[e]]++;
@@ -87,7 +87,7 @@ public final class MeetingEdges {
         return new MeetingEdges(x, y, from, to, at).sweep();
     }
 
-    private Optional<Pair> sweep() {
+    private Optional<EdgePair> sweep() {
         int n = x.length;
         Integer[] order = new Integer[n];
         Arrays.setAll(order, i -> i);
@@ -154,8 +154,8 @@ public final class MeetingEdges {
             found = Optional.of(pair(one, other));
     }
 
-    private static Pair pair(int one, int other) {
-        return new Pair(Math.min(one, other), Math.max(one, other));
+    private static EdgePair pair(int one, int other) {
+        return new EdgePair(Math.min(one, other), Math.max(one, other));
     }
 
     private boolean neighbours(int one, int other) {

@@ -8,7 +8,7 @@ public final class Membership {
 
     /** The judge of one point. */
     @FunctionalInterface
-    public interface Judge {
+    public interface PointClassifier {
         boolean contains(double x, double y);
     }
 
@@ -17,7 +17,7 @@ public final class Membership {
      *
      * @param limit at least 0
      */
-    public Membership(Points points, int limit, Judge judge) {
+    public Membership(Points points, int limit, PointClassifier judge) {
         inside = new boolean[Math.min(limit, points.size())];
         for (int i = 0; i < inside.length; i++)
             inside[i] = judge.contains(points.x(i), points.y(i));

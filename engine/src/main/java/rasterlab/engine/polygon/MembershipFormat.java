@@ -57,18 +57,18 @@ public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Memb
     }
 
     /** A judge that asks the method. */
-    protected abstract Membership.Judge judge(C method, ShapeAndPoints input);
+    protected abstract Membership.PointClassifier judge(C method, ShapeAndPoints input);
 
     /** Answers by the walks of the method, and their steps. */
     protected abstract Written walked(Call<C> call, ShapeAndPoints input);
 
     /** Writes the answer of a judge that records steps. */
     protected final Written walked(
-            ShapeAndPoints input, Membership.Judge judge, RecordedSteps steps) {
+            ShapeAndPoints input, Membership.PointClassifier judge, RecordedSteps steps) {
         return answer(input, judged(input, judge), null, steps);
     }
 
-    private static Membership judged(ShapeAndPoints input, Membership.Judge judge) {
+    private static Membership judged(ShapeAndPoints input, Membership.PointClassifier judge) {
         return new Membership(input.points(), input.points().size(), judge);
     }
 }

@@ -26,10 +26,10 @@ public final class AnsweredPixels implements Pixels {
      * @param noun such as "segment"
      * @param advice how to get fewer pixels
      */
-    public record Figure(String noun, String advice) {}
+    public record FigureName(String noun, String advice) {}
 
     private final String method;
-    private final Figure figure;
+    private final FigureName figure;
     private final PixelWindow window;
     private final long mostWrites;
     private final PixelRecording kept = new PixelRecording(MOST);
@@ -39,7 +39,7 @@ public final class AnsweredPixels implements Pixels {
      * @param mostWrites the number of pixels after which the method is taken for endless; at least
      *     twice what the figure has
      */
-    public AnsweredPixels(String method, Figure figure, PixelWindow window, long mostWrites) {
+    public AnsweredPixels(String method, FigureName figure, PixelWindow window, long mostWrites) {
         this.method = method;
         this.figure = figure;
         this.window = window;

@@ -7,9 +7,9 @@ import java.util.Optional;
  *
  * @param drawn what is drawn in its place, where that is one pixel
  */
-public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
+public record FirstDifference(DifferenceKind kind, Pixel pixel, Optional<Pixel> drawn) {
     /** The fault there, if no pixel before it is wrong. */
-    public enum Kind {
+    public enum DifferenceKind {
         MISSING("is missing"),
         EXTRA("is extra"),
         AGAIN("is drawn again"),
@@ -17,7 +17,7 @@ public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
 
         private final String said;
 
-        Kind(String said) {
+        DifferenceKind(String said) {
             this.said = said;
         }
     }
@@ -43,21 +43,21 @@ public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
         if (i == exact.size() && i == actual.size()) return Optional.empty();
         return Optional.of(
                 actual.size() > exact.size()
-                        ? one(Kind.AGAIN, actual, actual.firstRepeated())
-                        : one(Kind.ORDER, actual, i));
+                        ? one(DifferenceKind.AGAIN, actual, actual.firstRepeated())
+                        : one(DifferenceKind.ORDER, actual, i));
     }
 
     private static FirstDifference inPlace(
             PixelRecording exact, PixelRecording actual, PixelDifference difference) {
         int missing = firstIn(difference.missing(), exact);
         int extra = firstIn(difference.extra(), actual);
-        if (extra < missing) return one(Kind.EXTRA, actual, extra);
-        if (missing < extra) return one(Kind.MISSING, exact, missing);
+        if (extra < missing) return one(DifferenceKind.EXTRA, actual, extra);
+        if (missing < extra) return one(DifferenceKind.MISSING, exact, missing);
         return new FirstDifference(
-                Kind.MISSING, pixel(exact, missing), Optional.of(pixel(actual, extra)));
+                DifferenceKind.MISSING, pixel(exact, missing), Optional.of(pixel(actual, extra)));
     }
 
-    private static FirstDifference one(Kind kind, PixelRecording writes, int i) {
+    private static FirstDifference one(DifferenceKind kind, PixelRecording writes, int i) {
         return new FirstDifference(kind, pixel(writes, i), Optional.empty());
     }
 

@@ -48,7 +48,7 @@ public final class SightChoice {
      * @param work estimated
      * @param fromHere whether the proof holds from this place only
      */
-    public record Sight(
+    public record ChosenVisibility(
             String method,
             boolean frontsOnly,
             Reason reason,
@@ -73,20 +73,21 @@ public final class SightChoice {
      * @param light of all faces
      * @param areas of the view's faces
      */
-    public Sight exact(LightWork light, ScreenAreas areas) {
+    public ChosenVisibility exact(LightWork light, ScreenAreas areas) {
         PictureWork work = light.estimate(areas, false, false, 0);
-        Optional<Sight> tree = tree(work);
+        Optional<ChosenVisibility> tree = tree(work);
         if (tree.isPresent()) return tree.get();
         double buffer = costs.milliseconds(Family.BUFFER, work, 1);
         if (!facts.glass())
-            for (Sight painter :
+            for (ChosenVisibility painter :
                     painters((1 - WORTH) * buffer, light, areas, view.get().cutsOpen(), true))
                 return painter;
-        return new Sight("zfloat", false, facts.few() ? APART : MANY, buffer, work, false);
+        return new ChosenVisibility(
+                "zfloat", false, facts.few() ? APART : MANY, buffer, work, false);
     }
 
     /** The tree, where no depth of a whole face is right. */
-    Optional<Sight> tree(PictureWork work) {
+    Optional<ChosenVisibility> tree(PictureWork work) {
         if (facts.overlap(view))
             return forced(
                     Reason.of(
@@ -99,9 +100,9 @@ public final class SightChoice {
         return Optional.empty();
     }
 
-    private Optional<Sight> forced(Reason reason, PictureWork work) {
+    private Optional<ChosenVisibility> forced(Reason reason, PictureWork work) {
         double milliseconds = costs.milliseconds(Family.PAINTER, work, 1);
-        return Optional.of(new Sight("bsp", false, reason, milliseconds, work, false));
+        return Optional.of(new ChosenVisibility("bsp", false, reason, milliseconds, work, false));
     }
 
     /**
@@ -110,16 +111,16 @@ public final class SightChoice {
      * @param open whether the near plane may cut the mesh open
      * @param ordered whether an order of the faces may be proved, pair by pair
      */
-    List<Sight> painters(
+    List<ChosenVisibility> painters(
             double enough, LightWork painted, ScreenAreas areas, boolean open, boolean ordered) {
-        List<Sight> right = new ArrayList<>();
+        List<ChosenVisibility> right = new ArrayList<>();
         long faces = areas.allFaces();
         PictureWork all = painted.estimate(areas, false, true, faces * faces / 2);
         PictureWork fronts = painted.estimate(areas, !open, true, 4 * faces * faces);
         double convex = costs.milliseconds(Family.PAINTER, fronts, 1);
         if (convex < enough && facts.convex())
             right.add(
-                    new Sight(
+                    new ChosenVisibility(
                             "convex",
                             true,
                             Reason.of(
@@ -131,7 +132,7 @@ public final class SightChoice {
         double painter = costs.milliseconds(Family.PAINTER, all, 1);
         if (ordered && painter < enough && facts.few() && PaintOrder.proved(view.get()))
             right.add(
-                    new Sight(
+                    new ChosenVisibility(
                             "painter",
                             false,
                             Reason.of(
@@ -141,7 +142,7 @@ public final class SightChoice {
                             painter,
                             all,
                             true));
-        right.sort(Comparator.comparingDouble(Sight::milliseconds));
+        right.sort(Comparator.comparingDouble(ChosenVisibility::milliseconds));
         return right;
     }
 }

@@ -2,7 +2,7 @@ package rasterlab.engine.sight;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import rasterlab.engine.sight.SightChoice.Sight;
+import rasterlab.engine.sight.SightChoice.ChosenVisibility;
 import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.sight.cost.Family;
 import rasterlab.engine.sight.cost.PictureWork;
@@ -48,17 +48,17 @@ public final class SightPlan {
      * @param fronts whether faces that show their backs are left out
      * @param cores that the pipeline works on
      */
-    public Sight choose(
+    public ChosenVisibility choose(
             LightWork direct, LightWork painted, ScreenAreas areas, boolean fronts, int cores) {
         PictureWork work = direct.estimate(areas, fronts, false, 0);
-        Optional<Sight> tree = choice.tree(work);
+        Optional<ChosenVisibility> tree = choice.tree(work);
         if (tree.isPresent()) return tree.get();
         double pipeline = costs.milliseconds(Family.PIPELINE, work, cores);
         double enough = (1 - SightChoice.WORTH) * pipeline;
         if (!facts.glass() && facts.few() && painted.texelReads() == 0) {
             boolean open = reach.isEmpty() || !reach.get().whole();
             boolean ordered = areas.allFaces() <= ORDERED;
-            for (Sight painter : choice.painters(enough, painted, areas, open, ordered))
+            for (ChosenVisibility painter : choice.painters(enough, painted, areas, open, ordered))
                 return painter;
             PictureWork tested = painted.estimate(areas, false, false, 0);
             double buffer = costs.milliseconds(Family.BUFFER, tested, 1);
@@ -66,14 +66,14 @@ public final class SightPlan {
                 return buffered(buffer, tested, reach.get());
         }
         Reason reason = fronts ? CLOSED : facts.few() ? SightChoice.APART : SightChoice.MANY;
-        return new Sight(SightChoice.PIPELINE, fronts, reason, pipeline, work, false);
+        return new ChosenVisibility(SightChoice.PIPELINE, fronts, reason, pipeline, work, false);
     }
 
     /**
      * The buffer with the fewest bits that tell the faces apart. Faces that touch have depths that
      * no number of bits does.
      */
-    private Sight buffered(double milliseconds, PictureWork work, DepthReach depths) {
+    private ChosenVisibility buffered(double milliseconds, PictureWork work, DepthReach depths) {
         double near = depths.near();
         double far = depths.far();
         double separation = Math.min(far - near, facts.separation() / depths.secant());
@@ -87,6 +87,6 @@ public final class SightPlan {
                         bits,
                         DepthBits.step(bits, far, near, far),
                         far);
-        return new Sight(method, false, reason, milliseconds, work, false);
+        return new ChosenVisibility(method, false, reason, milliseconds, work, false);
     }
 }

@@ -21,13 +21,13 @@ public final class Guard {
     private Guard() {}
 
     /** How a call ended. */
-    public sealed interface Outcome<T> {}
+    public sealed interface CallOutcome<T> {}
 
-    public record Returned<T>(T value) implements Outcome<T> {}
+    public record Returned<T>(T value) implements CallOutcome<T> {}
 
-    public record Threw<T>(Throwable cause) implements Outcome<T> {}
+    public record Failed<T>(Throwable cause) implements CallOutcome<T> {}
 
-    public record TimedOut<T>(Duration limit) implements Outcome<T> {}
+    public record TimedOut<T>(Duration limit) implements CallOutcome<T> {}
 
     /**
      * The outcome of {@code work} within {@code limit}, errors of the virtual machine included.
@@ -35,7 +35,7 @@ public final class Guard {
      * @param name of the thread
      * @throws CancellationException when the waiting thread is interrupted
      */
-    public static <T> Outcome<T> call(String name, Callable<T> work, Duration limit) {
+    public static <T> CallOutcome<T> call(String name, Callable<T> work, Duration limit) {
         var task = new FutureTask<>(work);
         var thread = new Thread(task, name);
         thread.setDaemon(true);
@@ -43,7 +43,7 @@ public final class Guard {
         try {
             return within(limit, task, thread);
         } catch (ExecutionException e) {
-            return new Threw<>(e.getCause());
+            return new Failed<>(e.getCause());
         } catch (InterruptedException e) {
             task.cancel(true);
             Thread.currentThread().interrupt();
@@ -51,7 +51,7 @@ public final class Guard {
         }
     }
 
-    private static <T> Outcome<T> within(Duration limit, FutureTask<T> task, Thread thread)
+    private static <T> CallOutcome<T> within(Duration limit, FutureTask<T> task, Thread thread)
             throws ExecutionException, InterruptedException {
         long start = System.nanoTime();
         Duration wait = limit;

@@ -27,7 +27,8 @@ public final class HazardTrial {
      *
      * @param recorded the kind written down in the hazard; exact where none is
      */
-    public record Cell(String hazard, String method, Verdict verdict, Verdict.Kind recorded) {
+    public record VerdictCell(
+            String hazard, String method, Verdict verdict, Verdict.Kind recorded) {
         /** Whether the method did what is written down. */
         public boolean asRecorded() {
             return verdict.kind() == recorded;
@@ -41,11 +42,11 @@ public final class HazardTrial {
      * @param made the method's; empty where it gave none
      * @param thrown by the method in place of an answer; empty where it threw nothing
      */
-    public record Tried<O>(
+    public record MethodAnswer<O>(
             O exact, Optional<O> made, Optional<Throwable> thrown, Verdict verdict) {}
 
     /** Every method on every hazard, hazard by hazard. */
-    public static <C, I, O> List<Cell> table(Topic<C, I, O> topic, Duration wallLimit) {
+    public static <C, I, O> List<VerdictCell> table(Topic<C, I, O> topic, Duration wallLimit) {
         return table(topic, wallLimit, cell -> {}, () -> false);
     }
 
@@ -56,12 +57,12 @@ public final class HazardTrial {
      * @param cancelled asked before each cell
      * @throws CancellationException when {@code cancelled} says so or the thread is interrupted
      */
-    public static <C, I, O> List<Cell> table(
+    public static <C, I, O> List<VerdictCell> table(
             Topic<C, I, O> topic,
             Duration wallLimit,
-            Consumer<Cell> judged,
+            Consumer<VerdictCell> judged,
             BooleanSupplier cancelled) {
-        var cells = new ArrayList<Cell>();
+        var cells = new ArrayList<VerdictCell>();
         for (Hazard<I> hazard : topic.hazards()) {
             ExactAnswer<O> answer = ExactAnswer.to(topic, hazard.input());
             for (Method<C> method : topic.methods()) {
@@ -71,7 +72,7 @@ public final class HazardTrial {
                 Verdict verdict = judge(topic, method, hazard.input(), answer, wallLimit);
                 Verdict.Kind recorded =
                         hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
-                cells.add(new Cell(hazard.name(), method.name(), verdict, recorded));
+                cells.add(new VerdictCell(hazard.name(), method.name(), verdict, recorded));
                 judged.accept(cells.get(cells.size() - 1));
             }
         }
@@ -95,7 +96,7 @@ public final class HazardTrial {
      */
     public static <C, I, O> Function<Method<C>, Verdict> judging(
             Topic<C, I, O> topic, I input, Duration wallLimit) {
-        return trying(topic, input, wallLimit).andThen(Tried::verdict);
+        return trying(topic, input, wallLimit).andThen(MethodAnswer::verdict);
     }
 
     /**
@@ -103,7 +104,7 @@ public final class HazardTrial {
      *
      * @param wallLimit the longest it may take
      */
-    public static <C, I, O> Tried<O> tried(
+    public static <C, I, O> MethodAnswer<O> tried(
             Topic<C, I, O> topic, Method<C> method, I input, Duration wallLimit) {
         return tried(topic, method, input, ExactAnswer.to(topic, input), wallLimit);
     }
@@ -113,7 +114,7 @@ public final class HazardTrial {
      *
      * @param wallLimit the longest each may take
      */
-    public static <C, I, O> Function<Method<C>, Tried<O>> trying(
+    public static <C, I, O> Function<Method<C>, MethodAnswer<O>> trying(
             Topic<C, I, O> topic, I input, Duration wallLimit) {
         ExactAnswer<O> answer = ExactAnswer.to(topic, input);
         return method -> tried(topic, method, input, answer, wallLimit);
@@ -128,7 +129,7 @@ public final class HazardTrial {
         return tried(topic, method, input, answer, wallLimit).verdict();
     }
 
-    private static <C, I, O> Tried<O> tried(
+    private static <C, I, O> MethodAnswer<O> tried(
             Topic<C, I, O> topic,
             Method<C> method,
             I input,
@@ -141,21 +142,21 @@ public final class HazardTrial {
                         wallLimit);
         if (outcome instanceof Guard.Returned<O> returned)
             return compared(topic, input, answer.exact(), returned.value());
-        if (outcome instanceof Guard.Threw<O> threw
+        if (outcome instanceof Guard.Failed<O> threw
                 && threw.cause() instanceof LimitReached reached)
             return answer.cut()
                     ? compared(topic, input, answer.exact(), recorded(reached))
                     : without(answer, Optional.empty(), endless(answer, topic.item()));
         Optional<Throwable> thrown =
-                outcome instanceof Guard.Threw<O> threw
+                outcome instanceof Guard.Failed<O> threw
                         ? Optional.of(threw.cause())
                         : Optional.empty();
         return without(answer, thrown, Verdicts.ofFailure(outcome));
     }
 
-    private static <O> Tried<O> without(
+    private static <O> MethodAnswer<O> without(
             ExactAnswer<O> answer, Optional<Throwable> thrown, Verdict verdict) {
-        return new Tried<>(answer.exact(), Optional.empty(), thrown, verdict);
+        return new MethodAnswer<>(answer.exact(), Optional.empty(), thrown, verdict);
     }
 
     private static Verdict endless(ExactAnswer<?> answer, String item) {
@@ -171,10 +172,11 @@ public final class HazardTrial {
                         + " are right");
     }
 
-    private static <C, I, O> Tried<O> compared(Topic<C, I, O> topic, I input, O exact, O actual) {
+    private static <C, I, O> MethodAnswer<O> compared(
+            Topic<C, I, O> topic, I input, O exact, O actual) {
         // A method that somebody wrote may answer with null, which the comparison judges.
         Verdict verdict = verdict(topic, input, exact, actual);
-        return new Tried<>(exact, Optional.ofNullable(actual), Optional.empty(), verdict);
+        return new MethodAnswer<>(exact, Optional.ofNullable(actual), Optional.empty(), verdict);
     }
 
     private static <C, I, O> Verdict verdict(Topic<C, I, O> topic, I input, O exact, O actual) {

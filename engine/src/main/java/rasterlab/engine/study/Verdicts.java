@@ -6,11 +6,11 @@ final class Verdicts {
 
     private Verdicts() {}
 
-    static Verdict ofFailure(Guard.Outcome<?> outcome) {
+    static Verdict ofFailure(Guard.CallOutcome<?> outcome) {
         if (outcome instanceof Guard.TimedOut<?> late)
             return verdict(
                     Verdict.Kind.ENDLESS, "no answer within " + late.limit().toMillis() + " ms");
-        if (outcome instanceof Guard.Threw<?> threw) {
+        if (outcome instanceof Guard.Failed<?> threw) {
             Throwable cause = threw.cause();
             if (cause instanceof LimitReached)
                 return verdict(Verdict.Kind.ENDLESS, "it " + cause.getMessage());

@@ -13,11 +13,11 @@ final class TexelBlock {
     /** λ in 256ths: its lowest eight bits say how near the coarser level is. */
     final int[] lambda = new int[SIZE];
 
-    private final Corners fine = new Corners();
-    private final Corners coarse = new Corners();
+    private final TexelCorners fine = new TexelCorners();
+    private final TexelCorners coarse = new TexelCorners();
 
     /** Four texels around each place, and the place among them in 256ths. */
-    static final class Corners {
+    static final class TexelCorners {
         final int[] leftBelow = new int[SIZE];
         final int[] rightBelow = new int[SIZE];
         final int[] leftAbove = new int[SIZE];
@@ -28,11 +28,11 @@ final class TexelBlock {
     }
 
     /** The level itself, or the finer one of two. */
-    Corners fine() {
+    TexelCorners fine() {
         return fine;
     }
 
-    Corners coarse() {
+    TexelCorners coarse() {
         return coarse;
     }
 

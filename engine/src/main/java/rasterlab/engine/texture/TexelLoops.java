@@ -105,7 +105,7 @@ final class TexelLoops {
             int from,
             int first,
             int end,
-            TexelBlock.Corners out) {
+            TexelBlock.TexelCorners out) {
         int[] texels = level.argb();
         int perRow = level.across();
         int perColumn = level.up();
@@ -131,7 +131,7 @@ final class TexelLoops {
      * Mixes the four texels around each of n places by {@link TexelMix}'s formula. Leaves red and
      * blue in {@code leftBelow}, alpha and green in {@code rightBelow}; all else is lost.
      */
-    static void mix(int n, TexelBlock.Corners around) {
+    static void mix(int n, TexelBlock.TexelCorners around) {
         mixOdd(n, around.leftBelow, around.rightBelow, around.toRight, around.other);
         mixEven(n, around.leftBelow, around.rightBelow, around.toRight);
         mixOdd(n, around.leftAbove, around.rightAbove, around.toRight, around.rightBelow);
@@ -146,7 +146,8 @@ final class TexelLoops {
      *
      * @param lambda its lowest eight bits say how near the coarser level is
      */
-    static void mixLevels(int n, TexelBlock.Corners fine, TexelBlock.Corners coarse, int[] lambda) {
+    static void mixLevels(
+            int n, TexelBlock.TexelCorners fine, TexelBlock.TexelCorners coarse, int[] lambda) {
         for (int i = 0; i < n; i++) fine.other[i] = lambda[i] & WHOLE - 1;
         mixTwo(n, fine.leftBelow, coarse.leftBelow, fine.other);
         mixTwo(n, fine.rightBelow, coarse.rightBelow, fine.other);

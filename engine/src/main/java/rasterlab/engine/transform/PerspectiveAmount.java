@@ -17,7 +17,7 @@ public final class PerspectiveAmount {
     private PerspectiveAmount() {}
 
     /** One point of the chart. */
-    public record Sample(double distance, double gamma) {}
+    public record PerspectiveSample(double distance, double gamma) {}
 
     /**
      * @param distance z' of the nearer segment's near end, above 0
@@ -38,16 +38,16 @@ public final class PerspectiveAmount {
      * @param to largest
      * @param count of samples, at least 2
      */
-    public static List<Sample> chart(double from, double to, int count) {
+    public static List<PerspectiveSample> chart(double from, double to, int count) {
         requireAbove("from", from);
         if (!(to > from && to < Double.POSITIVE_INFINITY))
             throw new IllegalArgumentException(
                     "to must be a finite number above from, " + from + ", got " + to);
         if (count < 2) throw new IllegalArgumentException("count must be at least 2, got " + count);
-        var samples = new ArrayList<Sample>();
+        var samples = new ArrayList<PerspectiveSample>();
         for (int i = 0; i < count; i++) {
             double z = from + (to - from) * i / (count - 1);
-            samples.add(new Sample(z, gamma(z, 1)));
+            samples.add(new PerspectiveSample(z, gamma(z, 1)));
         }
         return samples;
     }

@@ -5,16 +5,16 @@ public sealed interface VisibilityStep {
     double value();
 
     /** A face, or a piece of one, was drawn. */
-    record Drawn(int face, double value) implements VisibilityStep {}
+    record FaceDrawn(int face, double value) implements VisibilityStep {}
 
     /** A face was put before another one. */
-    record Moved(int face, int before, double value) implements VisibilityStep {}
+    record FaceMoved(int face, int before, double value) implements VisibilityStep {}
 
     /** A face was cut because of another one. */
-    record Cut(int face, int by, double value) implements VisibilityStep {}
+    record FaceCut(int face, int by, double value) implements VisibilityStep {}
 
     /** A face was found to be seen in the pixels [from, to) of row y. */
-    record Span(int face, int y, int from, int to, double value) implements VisibilityStep {}
+    record SpanSeen(int face, int y, int from, int to, double value) implements VisibilityStep {}
 
     /**
      * The window of pixels [x, x + width) × [y, y + height) was looked at.

@@ -52,7 +52,7 @@ final class TransformBorders {
         return new MatrixCall(matrix.name(), numbers);
     }
 
-    private static double inRange(Draws draws, MatrixParameter.Range range) {
+    private static double inRange(Draws draws, MatrixParameter.ParameterRange range) {
         return switch (range) {
             case ANY, DEGREES, NOT_ZERO -> draws.number();
             case POSITIVE -> draws.number(Double.MIN_VALUE, Double.MAX_VALUE);

@@ -33,10 +33,10 @@ class SpaceTest {
         assertEquals(at(2, 2, 5), line.at(0.5));
         assertEquals(at(3, 2, 7), line.at(1));
         assertEquals(at(5, 2, 11), line.at(2));
-        assertEquals(Line.Part.BEHIND, Line.part(-0.1));
-        assertEquals(Line.Part.BETWEEN, Line.part(0));
-        assertEquals(Line.Part.BETWEEN, Line.part(1));
-        assertEquals(Line.Part.BEYOND, Line.part(1.1));
+        assertEquals(Line.PositionOnLine.BEHIND, Line.part(-0.1));
+        assertEquals(Line.PositionOnLine.BETWEEN, Line.part(0));
+        assertEquals(Line.PositionOnLine.BETWEEN, Line.part(1));
+        assertEquals(Line.PositionOnLine.BEYOND, Line.part(1.1));
     }
 
     @Test

@@ -61,7 +61,9 @@ class AutoPictureTest {
                 look("one term", look -> look.withLight(Set.of(LightTerm.DIFFUSE), Sides.ONE)),
                 look("culled face", look -> look.withCull(Cull.BACK)),
                 look("faded picture", look -> look.withCue(new DepthCue(0.6))),
-                look("second eye", look -> look.withStereo(new Stereo(Stereo.Kind.ANAGLYPH, 20))));
+                look(
+                        "second eye",
+                        look -> look.withStereo(new Stereo(Stereo.StereoMode.ANAGLYPH, 20))));
     }
 
     @ParameterizedTest(name = "{0} made in {1} steps has another picture by auto")

@@ -20,7 +20,7 @@ import rasterlab.engine.visibility.FaceOutlines;
 import rasterlab.engine.visibility.VisibilityStep;
 import rasterlab.engine.visibility.VisibilityWalk;
 import rasterlab.engine.visibility.buffer.PixelTouch;
-import rasterlab.engine.visibility.buffer.PixelTouch.Verdict;
+import rasterlab.engine.visibility.buffer.PixelTouch.TouchOutcome;
 import rasterlab.engine.visibility.painter.PiecesWalk;
 
 class FaceDrawingTest {
@@ -90,11 +90,11 @@ class FaceDrawingTest {
     void depthTestLetsOnlyNearerFacesThrough() {
         List<PixelTouch> touches =
                 drawing("interpenetrating", "zfloat").history(60, 45, () -> false);
-        assertTrue(touches.stream().anyMatch(touch -> touch.verdict() == Verdict.FAILED));
+        assertTrue(touches.stream().anyMatch(touch -> touch.verdict() == TouchOutcome.FAILED));
         for (PixelTouch touch : touches) {
             var test = touch.test().orElseThrow();
             boolean nearer = test.held().isEmpty() || test.offered() > test.held().getAsDouble();
-            assertEquals(nearer, touch.verdict() == Verdict.DRAWN, touch.toString());
+            assertEquals(nearer, touch.verdict() == TouchOutcome.DRAWN, touch.toString());
         }
     }
 
@@ -104,7 +104,7 @@ class FaceDrawingTest {
         FaceDrawing drawing = drawing("interpenetrating", method);
         PixelTouch seen =
                 drawing.history(60, 45, () -> false).stream()
-                        .filter(touch -> touch.verdict() == Verdict.DRAWN)
+                        .filter(touch -> touch.verdict() == TouchOutcome.DRAWN)
                         .reduce((a, b) -> b)
                         .orElseThrow();
         double held = drawing.depths(Integer.MAX_VALUE, () -> false).at(60, 45).orElseThrow();
@@ -161,8 +161,8 @@ class FaceDrawingTest {
     @Test
     void culledFaceIsNamedAsLeftOut() {
         List<PixelTouch> touches = drawing("cube", "back-face").history(60, 45, () -> false);
-        assertEquals(Verdict.DRAWN, touches.get(0).verdict());
-        assertEquals(Verdict.LEFT_OUT, touches.get(1).verdict());
+        assertEquals(TouchOutcome.DRAWN, touches.get(0).verdict());
+        assertEquals(TouchOutcome.LEFT_OUT, touches.get(1).verdict());
         assertTrue(touches.get(0).z() < touches.get(1).z(), touches.toString());
     }
 
@@ -174,7 +174,7 @@ class FaceDrawingTest {
         for (int x = 0; x < WIDTH && !found; x++)
             found =
                     drawing.history(x, 45, () -> false).stream()
-                            .anyMatch(touch -> touch.verdict() == Verdict.OUTLINED);
+                            .anyMatch(touch -> touch.verdict() == TouchOutcome.OUTLINED);
         assertTrue(found, "no outline on a row across the cube");
     }
 
@@ -187,7 +187,7 @@ class FaceDrawingTest {
         while (walk.advance()) {
             if (walk.piece().isEmpty()) continue;
             pieces++;
-            int face = ((VisibilityStep.Drawn) walk.step()).face();
+            int face = ((VisibilityStep.FaceDrawn) walk.step()).face();
             double[] whole = FaceOutlines.corners(drawing.view(), face);
             assertTrue(area(walk.piece().get()) < 0.999 * area(whole), "face " + face);
         }
@@ -208,7 +208,7 @@ class FaceDrawingTest {
         RenderRequest wire = request("cube", "zfloat").withShading(ShadingMethod.WIRE);
         assertTrue(FaceDrawing.of(wire).isEmpty());
         RenderRequest flat = request("cube", "zfloat");
-        var eyes = new Stereo(Stereo.Kind.ANAGLYPH, 0);
+        var eyes = new Stereo(Stereo.StereoMode.ANAGLYPH, 0);
         assertTrue(FaceDrawing.of(flat.with(flat.look().withStereo(eyes))).isEmpty());
     }
 

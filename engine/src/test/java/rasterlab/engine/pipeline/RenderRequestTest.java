@@ -165,7 +165,7 @@ class RenderRequestTest {
                         "crease must be from 0 to 180 degrees, got 181.0"));
     }
 
-    private static final Stereo ANAGLYPH = new Stereo(Stereo.Kind.ANAGLYPH, 1);
+    private static final Stereo ANAGLYPH = new Stereo(Stereo.StereoMode.ANAGLYPH, 1);
 
     private static Arguments look(
             String mistake, UnaryOperator<RenderRequest> change, String message) {

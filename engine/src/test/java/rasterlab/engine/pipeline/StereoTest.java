@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.engine.pipeline.Stereo.Kind;
+import rasterlab.engine.pipeline.Stereo.StereoMode;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -31,7 +31,7 @@ class StereoTest {
         return Scene.dull("square", mesh, new int[] {0xFFFFFF}, 0, CAMERA, 100);
     }
 
-    private Raster draw(Scene scene, String method, Kind kind, int width) {
+    private Raster draw(Scene scene, String method, StereoMode kind, int width) {
         var plain = new RenderRequest(scene, method, "tone", "perspective", CAMERA, width, 300);
         return renderer.render(
                 plain.with(plain.look().withStereo(new Stereo(kind, EYES))), () -> false);
@@ -48,7 +48,7 @@ class StereoTest {
     @ParameterizedTest(name = "eyes are exchanged, or not on one picture plane: {argumentSetName}")
     @MethodSource("depths")
     void eyesSeeWhatTheStereoPairSays(String method, double x) {
-        Raster both = draw(square(x), method, Kind.ANAGLYPH, 400);
+        Raster both = draw(square(x), method, StereoMode.ANAGLYPH, 400);
         double pixelsPerUnit = 100 * 0.5;
         var pair = new StereoPair(CAMERA, EYES);
         double parallax = middle(both, 16) - middle(both, 8);
@@ -74,7 +74,7 @@ class StereoTest {
     @DisplayName("halves are exchanged, squeezed or overlap")
     void halvesStandSideBySide() {
         for (int width : new int[] {400, 401}) {
-            Raster both = draw(square(4), "zfloat", Kind.SIDE_BY_SIDE, width);
+            Raster both = draw(square(4), "zfloat", StereoMode.SIDE_BY_SIDE, width);
             int[] columns = {-1, -1};
             for (int x = 0; x < width; x++)
                 if (both.argb(x, 150) == 0xFFFFFFFF) columns[x < width / 2 ? 0 : 1] = x;
@@ -89,7 +89,7 @@ class StereoTest {
     void anaglyphHasBrightnessOnly() {
         Scene scene = square(0);
         var blue = Scene.dull("blue", scene.mesh(), new int[] {0x0000FF}, 0, CAMERA, 100);
-        Raster both = draw(blue, "zfloat", Kind.ANAGLYPH, 400);
+        Raster both = draw(blue, "zfloat", StereoMode.ANAGLYPH, 400);
         assertEquals("ff1d1d1d", Integer.toHexString(both.argb(200, 150)));
     }
 }

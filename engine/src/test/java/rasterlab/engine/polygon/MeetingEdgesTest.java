@@ -10,12 +10,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.engine.polygon.MeetingEdges.Pair;
+import rasterlab.engine.polygon.MeetingEdges.EdgePair;
 
 class MeetingEdgesTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
-    void finds(Optional<Pair> expected, Points polygon) {
+    void finds(Optional<EdgePair> expected, Points polygon) {
         assertEquals(expected, MeetingEdges.of(polygon.xs(), polygon.ys()));
     }
 
@@ -53,11 +53,11 @@ class MeetingEdgesTest {
         assertEquals(none(), MeetingEdges.of(star.xs(), star.ys()));
     }
 
-    private static Optional<Pair> none() {
+    private static Optional<EdgePair> none() {
         return Optional.empty();
     }
 
-    private static Optional<Pair> pair(int one, int other) {
-        return Optional.of(new Pair(one, other));
+    private static Optional<EdgePair> pair(int one, int other) {
+        return Optional.of(new EdgePair(one, other));
     }
 }

@@ -138,9 +138,10 @@ class HazardTrialTest {
     @Test
     void theTableNamesEveryMethodOnEveryHazard() {
         var topic = new LinesOf(List.of(named("right", right()), named("never", nothing())));
-        List<HazardTrial.Cell> table = HazardTrial.table(topic, AMPLE);
+        List<HazardTrial.VerdictCell> table = HazardTrial.table(topic, AMPLE);
         assertEquals(
-                List.of("right", "never"), table.stream().map(HazardTrial.Cell::method).toList());
+                List.of("right", "never"),
+                table.stream().map(HazardTrial.VerdictCell::method).toList());
         assertEquals("made-up", table.get(0).hazard());
         assertTrue(table.get(0).asRecorded() && !table.get(1).asRecorded(), table.toString());
     }

@@ -35,7 +35,7 @@ class PerspectiveTest {
 
     @Test
     void lectureGammaRunsAwayBelowTwoToThreeDepths() {
-        List<PerspectiveAmount.Sample> chart = PerspectiveAmount.chart(0.5, 10, 20);
+        List<PerspectiveAmount.PerspectiveSample> chart = PerspectiveAmount.chart(0.5, 10, 20);
         assertEquals(20, chart.size());
         assertEquals(5, chart.get(0).gamma());
         assertEquals(1.2, chart.get(19).gamma(), 1e-15);

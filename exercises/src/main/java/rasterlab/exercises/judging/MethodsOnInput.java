@@ -40,7 +40,7 @@ public final class MethodsOnInput<C, I, O> {
     private final I input;
 
     /** The trial, made when the first method is tried: the exact answer may take long. */
-    private Function<Method<C>, HazardTrial.Tried<O>> trial;
+    private Function<Method<C>, HazardTrial.MethodAnswer<O>> trial;
 
     private MethodsOnInput(Topic<C, I, O> topic, I input) {
         this.topic = topic;
@@ -155,7 +155,7 @@ public final class MethodsOnInput<C, I, O> {
 
     private Tried tried(String name, C implementation) {
         if (trial == null) trial = HazardTrial.trying(topic, input, LIMIT);
-        HazardTrial.Tried<O> tried = trial.apply(Method.failing(name, implementation));
+        HazardTrial.MethodAnswer<O> tried = trial.apply(Method.failing(name, implementation));
         Verdict verdict = tried.verdict();
         Message said =
                 switch (verdict.kind()) {
@@ -175,7 +175,7 @@ public final class MethodsOnInput<C, I, O> {
     }
 
     /** Says why there is no answer to compare, in words that are known in every language. */
-    private static Message withoutAnswer(HazardTrial.Tried<?> tried) {
+    private static Message withoutAnswer(HazardTrial.MethodAnswer<?> tried) {
         Throwable thrown = tried.thrown().orElse(null);
         if (thrown instanceof InputChanged) return Message.of("answer.overwrites");
         if (thrown instanceof SharedAnswer shared)

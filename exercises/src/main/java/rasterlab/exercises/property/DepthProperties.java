@@ -8,7 +8,7 @@ import rasterlab.engine.visibility.triangle.DepthTriangles;
 
 /** Properties of the depth buffer: it shows the same in whatever order triangles come. */
 final class DepthProperties {
-    static final List<Property<DepthTriangles, DepthTriangles.Shown>> ALL =
+    static final List<Property<DepthTriangles, DepthTriangles.TrianglePicture>> ALL =
             List.of(
                     new Property<>(
                             "depth-triangle",
@@ -35,11 +35,11 @@ final class DepthProperties {
     }
 
     /** Each pixel shows the same triangle, by its number in the other order. */
-    private static DepthTriangles.Shown renumbered(
-            DepthTriangles input, DepthTriangles.Shown answer) {
+    private static DepthTriangles.TrianglePicture renumbered(
+            DepthTriangles input, DepthTriangles.TrianglePicture answer) {
         int count = input.triangles().size();
         int[] shown =
                 Arrays.stream(answer.shown()).map(one -> one == 0 ? 0 : count + 1 - one).toArray();
-        return new DepthTriangles.Shown(answer.width(), shown, answer.depths().clone());
+        return new DepthTriangles.TrianglePicture(answer.width(), shown, answer.depths().clone());
     }
 }

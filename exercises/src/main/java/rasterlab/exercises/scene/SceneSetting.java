@@ -99,8 +99,8 @@ public final class SceneSetting<T> {
                     "depthCue",
                     place -> place.made(p -> new DepthCue(p.number(0, 1))),
                     cue -> JSON.numberNode(cue.strength()));
-    public static final SceneSetting<Stereo.Kind> STEREO =
-            named("stereo", List.of(Stereo.Kind.values()), Stereo.Kind::code);
+    public static final SceneSetting<Stereo.StereoMode> STEREO =
+            named("stereo", List.of(Stereo.StereoMode.values()), Stereo.StereoMode::code);
 
     /** The distance of the two eyes in world units. */
     public static final SceneSetting<Double> EYES =

@@ -53,7 +53,7 @@ class SettingsTest {
                     .with(SceneSetting.CREASE, 12.5)
                     .with(SceneSetting.OUTLINE, true)
                     .with(SceneSetting.DEPTH_CUE, new DepthCue(0.7))
-                    .with(SceneSetting.STEREO, Stereo.Kind.SIDE_BY_SIDE)
+                    .with(SceneSetting.STEREO, Stereo.StereoMode.SIDE_BY_SIDE)
                     .with(SceneSetting.EYES, 12.34);
 
     @Test

@@ -105,7 +105,7 @@ abstract class EngineNames implements Iterable<String> {
 
     static final class OfStereoKinds extends EngineNames {
         OfStereoKinds() {
-            super(Stereo.Kind.names());
+            super(Stereo.StereoMode.names());
         }
     }
 

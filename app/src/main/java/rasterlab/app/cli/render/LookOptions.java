@@ -237,7 +237,7 @@ final class LookOptions {
     }
 
     private Optional<Stereo> stereo(ShownScene shown, Projection projection, double rho) {
-        Optional<Stereo.Kind> kind = kind(shown, projection);
+        Optional<Stereo.StereoMode> kind = kind(shown, projection);
         if (kind.isEmpty() && eyes != null)
             throw new IllegalArgumentException("--eyes needs --stereo");
         Double apart = eyes == null ? null : (Double) eyes.units(rho);
@@ -245,9 +245,9 @@ final class LookOptions {
         return kind.map(shownAs -> new Stereo(shownAs, separation));
     }
 
-    private Optional<Stereo.Kind> kind(ShownScene shown, Projection projection) {
+    private Optional<Stereo.StereoMode> kind(ShownScene shown, Projection projection) {
         if (NONE.equals(stereo)) return Optional.empty();
-        if (stereo != null) return Optional.of(Stereo.Kind.named(stereo));
+        if (stereo != null) return Optional.of(Stereo.StereoMode.named(stereo));
         return projection == Projection.PERSPECTIVE
                 ? shown.said().get(SceneSetting.STEREO)
                 : Optional.empty();

@@ -27,12 +27,12 @@ final class Watch {
     <T> T call(String name, Supplier<T> work) {
         var outcome = outcome(name, work);
         if (outcome instanceof Guard.Returned<T> returned) return returned.value();
-        if (outcome instanceof Guard.Threw<T> threw) throw explained(name, threw.cause());
+        if (outcome instanceof Guard.Failed<T> threw) throw explained(name, threw.cause());
         throw Complaint.gaveUp(
                 name + " did not end within " + limit.toSeconds() + " s and was given up");
     }
 
-    private <T> Guard.Outcome<T> outcome(String name, Supplier<T> work) {
+    private <T> Guard.CallOutcome<T> outcome(String name, Supplier<T> work) {
         try {
             return Guard.call("method " + name, work::get, limit);
         } catch (CancellationException interrupted) {

@@ -69,7 +69,7 @@ final class ChartTables {
 
     TextTable perspective() {
         var table = new TextTable("z'/dz'", "gamma", texts.text("chart.stretch"));
-        for (PerspectiveAmount.Sample sample : PerspectiveChart.table())
+        for (PerspectiveAmount.PerspectiveSample sample : PerspectiveChart.table())
             table.add(
                     List.of(
                             String.format(texts.locale(), "%.1f", sample.distance()),
@@ -85,7 +85,7 @@ final class ChartTables {
                         "far/near",
                         texts.text("chart.measured"),
                         texts.text("chart.predicted"));
-        for (DepthPrecision.Sample sample : DepthPrecisionChart.table())
+        for (DepthPrecision.PrecisionSample sample : DepthPrecisionChart.table())
             table.add(
                     List.of(
                             sample.format(),

@@ -8,7 +8,7 @@ import rasterlab.app.cli.console.TextTable;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.study.chart.StudyWords;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 
 /** The method × hazard table as text. */
 final class HazardText {
@@ -33,11 +33,11 @@ final class HazardText {
     }
 
     /** The verdict, with "!" where it is not the recorded one. */
-    private static String marked(Cell cell, StudyWords words) {
+    private static String marked(VerdictCell cell, StudyWords words) {
         return words.verdict(cell.verdict().kind()) + (cell.asRecorded() ? "" : " !");
     }
 
-    private static String difference(Cell cell, Texts texts) {
+    private static String difference(VerdictCell cell, Texts texts) {
         String detail = cell.verdict().detail();
         var words = new StudyWords(texts.language());
         String differs =

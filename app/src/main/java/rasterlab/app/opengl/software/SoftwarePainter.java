@@ -74,7 +74,8 @@ public final class SoftwarePainter implements AutoCloseable {
                         texture, wrap(choice, Setting.WRAP_S), wrap(choice, Setting.WRAP_T));
         var filters =
                 new MinMag(
-                        MinMag.Smaller.valueOf(withoutPrefix(choice, Setting.MIN_FILTER)),
+                        MinMag.MinificationFilter.valueOf(
+                                withoutPrefix(choice, Setting.MIN_FILTER)),
                         choice.is(Setting.MAG_FILTER, "GL_LINEAR"));
         var environment = environment(choice, texture.components());
         PixelColors under = new ColoredPixels();

@@ -105,12 +105,12 @@ public record PolygonTopics(
      *
      * @param corners three for a triangle
      */
-    public Membership.Judge judge(PolygonMode mode, String method, Points corners) {
-        Membership.Judge judge = anyJudge(mode, method, corners);
+    public Membership.PointClassifier judge(PolygonMode mode, String method, Points corners) {
+        Membership.PointClassifier judge = anyJudge(mode, method, corners);
         return method.equals(OwnMethods.NAME) ? new StoppedJudge(judge) : judge;
     }
 
-    private Membership.Judge anyJudge(PolygonMode mode, String method, Points corners) {
+    private Membership.PointClassifier anyJudge(PolygonMode mode, String method, Points corners) {
         if (mode == PolygonMode.POLYGON) {
             PointInPolygon test = own.method(polygon, method).implementation();
             double[] polygonX = corners.xs();

@@ -4,11 +4,11 @@ import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.study.NoAnswer;
 
 /** Asks a program of the user's for one point after the other, until it has to be stopped. */
-final class StoppedJudge implements Membership.Judge {
-    private final Membership.Judge judge;
+final class StoppedJudge implements Membership.PointClassifier {
+    private final Membership.PointClassifier judge;
     private NoAnswer stopped;
 
-    StoppedJudge(Membership.Judge judge) {
+    StoppedJudge(Membership.PointClassifier judge) {
         this.judge = judge;
     }
 

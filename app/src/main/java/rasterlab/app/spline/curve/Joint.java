@@ -12,7 +12,7 @@ import rasterlab.engine.spline.curve.CurvePlace;
  * @param x pixels
  * @param y pixels
  */
-public record Joint(double x, double y, CurveJoint.Kind kind) {
+public record Joint(double x, double y, CurveJoint.Continuity kind) {
     private static final int MOST = 64;
 
     /** The joints of all curves' spans, from start to end; none where there are more than 64. */

@@ -6,7 +6,7 @@ import rasterlab.engine.spline.curve.CurveJoint;
 public final class JointText {
     private JointText() {}
 
-    public static String of(CurveJoint.Kind kind) {
+    public static String of(CurveJoint.Continuity kind) {
         return switch (kind) {
             case GAP -> "×";
             case C0 -> "C⁰";

@@ -69,24 +69,25 @@ public final class PlanRows {
         picked.setText(plan.map(this::picked).orElseGet(() -> texts.text("picked.none")));
         ways.forEach(
                 (method, row) -> {
-                    Optional<CurvePlan.Way> way = plan.flatMap(found -> way(found, method));
+                    Optional<CurvePlan.MethodPolylines> way =
+                            plan.flatMap(found -> way(found, method));
                     column.showRow(row, plan.isPresent());
                     row.setText(way.map(one -> said(one, plan.get().times())).orElse("–"));
                 });
     }
 
-    private static Optional<CurvePlan.Way> way(CurvePlan plan, String method) {
-        List<CurvePlan.Way> ways = plan.ways();
+    private static Optional<CurvePlan.MethodPolylines> way(CurvePlan plan, String method) {
+        List<CurvePlan.MethodPolylines> ways = plan.ways();
         return ways.stream().filter(way -> way.method().equals(method)).findFirst();
     }
 
     private String picked(CurvePlan plan) {
-        CurvePlan.Way best = plan.chosen();
+        CurvePlan.MethodPolylines best = plan.chosen();
         double saved = 1 - best.nanos(plan.times()) / plan.dearest().nanos(plan.times());
         return texts.text("picked.saves", best.method(), Long.toString(Math.round(100 * saved)));
     }
 
-    private String said(CurvePlan.Way way, long drawn) {
+    private String said(CurvePlan.MethodPolylines way, long drawn) {
         return texts.text(
                 "way",
                 way.segments(),

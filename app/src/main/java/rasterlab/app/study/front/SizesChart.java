@@ -33,7 +33,7 @@ public final class SizesChart implements StudyPicture {
         ERROR
     }
 
-    private record Line(String method, List<PowerFit.Point> points, Optional<PowerFit> fit) {}
+    private record Line(String method, List<PowerFit.FittedPoint> points, Optional<PowerFit> fit) {}
 
     private final Study study;
     private final Of of;
@@ -54,12 +54,12 @@ public final class SizesChart implements StudyPicture {
                 study.measurements().stream().map(Measurement::method).distinct().toList();
         drawing = new MethodLines(MethodLines.looks(study.topic(), methods, paper), paper);
         for (String method : methods) {
-            List<PowerFit.Point> points = points(method);
+            List<PowerFit.FittedPoint> points = points(method);
             if (!points.isEmpty()) lines.add(new Line(method, points, fit(points)));
         }
     }
 
-    private Optional<PowerFit> fit(List<PowerFit.Point> points) {
+    private Optional<PowerFit> fit(List<PowerFit.FittedPoint> points) {
         return StudyWords.isSized(study) ? PowerFit.of(points) : Optional.empty();
     }
 
@@ -79,12 +79,12 @@ public final class SizesChart implements StudyPicture {
         return point.workload().replaceFirst("-[^-]*", "");
     }
 
-    private List<PowerFit.Point> points(String method) {
+    private List<PowerFit.FittedPoint> points(String method) {
         return study.measurements().stream()
                 .filter(one -> one.method().equals(method) && kind(one).equals(kind))
                 .filter(one -> one.cost().timed())
                 .sorted(Comparator.comparingInt(Measurement::size))
-                .map(one -> new PowerFit.Point(one.size(), value(one)))
+                .map(one -> new PowerFit.FittedPoint(one.size(), value(one)))
                 .filter(one -> one.y() > 0 && Double.isFinite(one.y()))
                 .toList();
     }

@@ -47,7 +47,7 @@ public record LookChoice(
         HiddenLines hidden,
         double crease,
         double cue,
-        Optional<Stereo.Kind> stereo,
+        Optional<Stereo.StereoMode> stereo,
         double eyes,
         double near,
         double far,
@@ -135,7 +135,7 @@ public record LookChoice(
         return draft.choice();
     }
 
-    public LookChoice withStereo(Optional<Stereo.Kind> other) {
+    public LookChoice withStereo(Optional<Stereo.StereoMode> other) {
         var draft = new Draft(this);
         draft.stereo = other;
         return draft.choice();
@@ -168,7 +168,7 @@ public record LookChoice(
     }
 
     /** Two eyes need perspective. */
-    Optional<Stereo.Kind> seenStereo(Projection projection) {
+    Optional<Stereo.StereoMode> seenStereo(Projection projection) {
         return projection == Projection.PERSPECTIVE ? stereo : Optional.empty();
     }
 
@@ -181,7 +181,7 @@ public record LookChoice(
                         .withClipPlanes(clipPlanes);
         if (shading == ShadingMethod.WIRE) look = look.withWire(new WireStyle(hidden, crease));
         if (cue > 0) look = look.withCue(new DepthCue(cue));
-        Optional<Stereo.Kind> kind = seenStereo(projection);
+        Optional<Stereo.StereoMode> kind = seenStereo(projection);
         return kind.isPresent() ? look.withStereo(new Stereo(kind.get(), eyes * rho)) : look;
     }
 
@@ -201,7 +201,7 @@ public record LookChoice(
         private HiddenLines hidden;
         private double crease;
         private double cue;
-        private Optional<Stereo.Kind> stereo;
+        private Optional<Stereo.StereoMode> stereo;
         private double eyes;
         private double near;
         private double far;

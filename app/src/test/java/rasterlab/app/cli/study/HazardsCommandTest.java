@@ -23,7 +23,7 @@ import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
@@ -141,7 +141,7 @@ class HazardsCommandTest {
 
     private static HazardMatrix withDetail(String detail) {
         var verdict = new Verdict(Verdict.Kind.WRONG, Deviation.NONE, detail);
-        var cell = new Cell("steep", "dda", verdict, Verdict.Kind.EXACT);
+        var cell = new VerdictCell("steep", "dda", verdict, Verdict.Kind.EXACT);
         return new HazardMatrix("line", List.of("dda"), List.of("steep"), List.of(cell));
     }
 

@@ -46,7 +46,7 @@ class SavedViewTest {
                         .withHidden(HiddenLines.DASHED)
                         .withCrease(17)
                         .withCue(0.35)
-                        .withStereo(Optional.of(Stereo.Kind.ANAGLYPH))
+                        .withStereo(Optional.of(Stereo.StereoMode.ANAGLYPH))
                         .withEyes(0.07)
                         .withNear(0.83)
                         .withFar(1.37)

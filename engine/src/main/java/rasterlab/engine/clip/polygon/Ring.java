@@ -84,7 +84,7 @@ public record Ring(double[] xy) {
         return IntStream.range(0, size()).mapToDouble(i -> xy[2 * i + axis]).toArray();
     }
 
-    private IllegalArgumentException meeting(MeetingEdges.Pair pair) {
+    private IllegalArgumentException meeting(MeetingEdges.EdgePair pair) {
         String one = place(pair.one());
         String other = place(pair.other());
         return new IllegalArgumentException(

@@ -40,7 +40,7 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             double x1,
             double y1,
             SegmentSink out) {
-        var walk = new Walk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
+        var walk = new RegionCodeWalk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
         while (walk.advance()) continue;
         walk.send(out);
     }
@@ -55,7 +55,7 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             double y0,
             double x1,
             double y1) {
-        return new Walk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
+        return new RegionCodeWalk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
     }
 
     @Override
@@ -63,7 +63,7 @@ public final class CohenSutherland implements SteppedSegmentClipper {
         return "code of the end that is moved: 1 above, 2 below, 4 right, 8 left";
     }
 
-    static final class Walk extends WindowWalk {
+    static final class RegionCodeWalk extends WindowWalk {
         private double fromX;
         private double fromY;
         private double toX;
@@ -72,7 +72,7 @@ public final class CohenSutherland implements SteppedSegmentClipper {
         private int toCode;
         private int code;
 
-        Walk(
+        RegionCodeWalk(
                 double xmin,
                 double ymin,
                 double xmax,

@@ -158,14 +158,14 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
     }
 
     /** The walk, which is known to end, and that it was handed over, if it was. */
-    private static List<PartFormat.Step> drained(SegmentWalk walk) {
-        var steps = new ArrayList<PartFormat.Step>();
+    private static List<PartFormat.SegmentStep> drained(SegmentWalk walk) {
+        var steps = new ArrayList<PartFormat.SegmentStep>();
         while (walk.advance()) steps.add(step(walk.at(), walk.decision(), walk));
         if (walk.unsure()) steps.add(step("without rounding", Double.NaN, walk));
         return steps;
     }
 
-    private static PartFormat.Step step(String at, double decision, SegmentWalk walk) {
+    private static PartFormat.SegmentStep step(String at, double decision, SegmentWalk walk) {
         var left = new double[4];
         walk.piece(
                 (x0, y0, x1, y1) -> {
@@ -174,6 +174,6 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
                     left[2] = x1;
                     left[3] = y1;
                 });
-        return new PartFormat.Step(at, decision, left);
+        return new PartFormat.SegmentStep(at, decision, left);
     }
 }

@@ -96,19 +96,19 @@ public final class VolumeClipFormat extends Format<VolumeClipper, SegmentsInVolu
     }
 
     /** The walk, and that it was handed over, if it was. */
-    private static List<PartFormat.Step> drained(
+    private static List<PartFormat.SegmentStep> drained(
             SteppedVolumeClipper method, double zmin, double[] segment) {
-        var steps = new ArrayList<PartFormat.Step>();
+        var steps = new ArrayList<PartFormat.SegmentStep>();
         VolumeWalk walk = VolumeClipTopic.walk(method, zmin, segment);
         while (walk.advance()) steps.add(step(walk.at(), walk.decision(), walk));
         if (walk.unsure()) steps.add(step("without rounding", Double.NaN, walk));
         return steps;
     }
 
-    private static PartFormat.Step step(String at, double decision, VolumeWalk walk) {
+    private static PartFormat.SegmentStep step(String at, double decision, VolumeWalk walk) {
         var left = new ArrayList<Double>();
         walk.piece((x0, y0, z0, x1, y1, z1) -> left.addAll(List.of(x0, y0, z0, x1, y1, z1)));
-        return new PartFormat.Step(
+        return new PartFormat.SegmentStep(
                 at, decision, left.stream().mapToDouble(Double::doubleValue).toArray());
     }
 }

@@ -30,7 +30,7 @@ final class ExactMeeting implements LinePlane {
     /** The right answer for each line of an input. */
     static Meetings all(PlaneAndLines input) {
         var mu = new double[input.size()];
-        var parts = new Line.Part[mu.length];
+        var parts = new Line.PositionOnLine[mu.length];
         var points = new double[mu.length][];
         for (int i = 0; i < mu.length; i++) {
             double[] n = input.normal();
@@ -57,10 +57,10 @@ final class ExactMeeting implements LinePlane {
             return Double.isFinite(mu) ? mu : Double.NaN;
         }
 
-        Line.Part part() {
-            if (rise.signum() * slope.signum() < 0) return Line.Part.BEHIND;
+        Line.PositionOnLine part() {
+            if (rise.signum() * slope.signum() < 0) return Line.PositionOnLine.BEHIND;
             boolean beyond = rise.abs().compareTo(slope.abs()) > 0;
-            return beyond ? Line.Part.BEYOND : Line.Part.BETWEEN;
+            return beyond ? Line.PositionOnLine.BEYOND : Line.PositionOnLine.BETWEEN;
         }
 
         /** The common point, each coordinate rounded once. */

@@ -14,12 +14,12 @@ public final class Meetings {
     private final double[] mu;
 
     /** null where μ is no number. */
-    private final Line.Part[] parts;
+    private final Line.PositionOnLine[] parts;
 
     /** x, y, z of each point; null where there is none within doubles. */
     private final double[][] points;
 
-    Meetings(double[] mu, Line.Part[] parts, double[][] points) {
+    Meetings(double[] mu, Line.PositionOnLine[] parts, double[][] points) {
         this.mu = mu;
         this.parts = parts;
         this.points = points;
@@ -27,7 +27,7 @@ public final class Meetings {
 
     /** The part of the line that the μ of a method names. */
     static Meetings of(double[] mu, PlaneAndLines input) {
-        var parts = new Line.Part[mu.length];
+        var parts = new Line.PositionOnLine[mu.length];
         var points = new double[mu.length][];
         for (int i = 0; i < mu.length; i++) {
             if (!Double.isFinite(mu[i])) continue;
@@ -44,8 +44,9 @@ public final class Meetings {
      * @param point null where μ is no number
      */
     static Meetings ofOne(double mu, double[] point) {
-        Line.Part part = point == null ? null : Line.part(mu);
-        return new Meetings(new double[] {mu}, new Line.Part[] {part}, new double[][] {point});
+        Line.PositionOnLine part = point == null ? null : Line.part(mu);
+        return new Meetings(
+                new double[] {mu}, new Line.PositionOnLine[] {part}, new double[][] {point});
     }
 
     private static double[] numbers(Vector v) {

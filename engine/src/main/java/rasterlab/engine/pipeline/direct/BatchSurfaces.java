@@ -36,7 +36,7 @@ final class BatchSurfaces {
         this.lights = lights;
         this.look = look;
         lighting = lights.forThread();
-        boolean flat = look.light() == DirectLook.Light.FACES;
+        boolean flat = look.light() == DirectLook.LightingPlace.FACES;
         faceArgb =
                 flat && batches.stream().anyMatch(this::lightShows)
                         ? lights.atMiddles(drawn)
@@ -61,7 +61,7 @@ final class BatchSurfaces {
     }
 
     private Surface.OfVertices ofVertices(Batch batch, PackedFaces faces) {
-        if (look.light() == DirectLook.Light.FACES)
+        if (look.light() == DirectLook.LightingPlace.FACES)
             return new Surface.Flat(new FaceTint(faces, faceArgb));
         return new Surface.Smooth(
                 batch.atPixels()

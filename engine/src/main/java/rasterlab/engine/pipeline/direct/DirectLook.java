@@ -18,10 +18,10 @@ import rasterlab.engine.visibility.OutlineFaces;
  *     linear filter wherever nothing is made smaller
  * @param savings what may be left out
  */
-public record DirectLook(Light light, TextureMode texture, Savings savings) {
+public record DirectLook(LightingPlace light, TextureMode texture, Savings savings) {
 
     /** Where light is worked out. */
-    public enum Light {
+    public enum LightingPlace {
         /** Flat shading: light is computed once for each face. */
         FACES,
         /** Gouraud shading: light is computed at the corners. */

@@ -77,7 +77,7 @@ public final class DirectPicture implements AutoCloseable {
 
     /** Packs the faces again only where the scene or what is told apart has changed. */
     private PackedScene packed(FaceLights lights, DirectLook look) {
-        boolean apart = look.light() == DirectLook.Light.FACES || lights.twoSided();
+        boolean apart = look.light() == DirectLook.LightingPlace.FACES || lights.twoSided();
         PackedScene kept = known.get();
         if (kept != null && kept.holds(lights.scene(), apart)) return kept;
         var packed = new PackedScene(lights.scene(), apart);
@@ -88,7 +88,7 @@ public final class DirectPicture implements AutoCloseable {
     /** Which faces have their light worked out at each pixel. */
     private static boolean[] atPixels(
             FaceLights lights, DirectLook look, boolean[] drawn, boolean[] opaque) {
-        boolean pixels = look.light() == DirectLook.Light.PIXELS;
+        boolean pixels = look.light() == DirectLook.LightingPlace.PIXELS;
         if (pixels && look.savings().levels() > 0) return mixed(lights, look, drawn, opaque);
         boolean[] atPixels = new boolean[drawn.length];
         Arrays.fill(atPixels, pixels);

@@ -22,10 +22,10 @@ public final class TrianglePipeline implements AutoCloseable {
     private final WorkerTeam team;
     private final Worker[] workers;
     private final FrameState frame = new FrameState();
-    private final WorkerTeam.Task vertexTask = this::vertices;
-    private final WorkerTeam.Task attributeTask = this::attributes;
-    private final WorkerTeam.Task binTask = this::bin;
-    private final WorkerTeam.Task bandTask = this::band;
+    private final WorkerTeam.SharedTask vertexTask = this::vertices;
+    private final WorkerTeam.SharedTask attributeTask = this::attributes;
+    private final WorkerTeam.SharedTask binTask = this::bin;
+    private final WorkerTeam.SharedTask bandTask = this::band;
     private final BandOrder order = new BandOrder();
     private TriangleChunk[] chunks = new TriangleChunk[0];
     private int chunkCount;

@@ -27,7 +27,7 @@ final class WorkerTeam implements AutoCloseable {
     private static final int NONE = -1;
 
     /** The work that is shared out. */
-    interface Task {
+    interface SharedTask {
         /**
          * @param worker 0 is the caller's thread; no two threads have one number at one time
          */
@@ -54,7 +54,7 @@ final class WorkerTeam implements AutoCloseable {
     private volatile Throwable failure;
 
     /** Stays as it is while an item is undone, and so do the items. */
-    private Task task;
+    private SharedTask task;
 
     private int items;
 
@@ -85,7 +85,7 @@ final class WorkerTeam implements AutoCloseable {
      * @throws RuntimeException what an item threw; the rest may be left out then
      * @throws IllegalStateException where the team is closed
      */
-    void run(Task newTask, int count) {
+    void run(SharedTask newTask, int count) {
         if (closed) throw new IllegalStateException("the threads have ended");
         task = newTask;
         items = count;

@@ -11,9 +11,9 @@ import rasterlab.engine.texture.TextureSampler;
  *
  * @param smooth whether larger texels are mixed
  */
-public record MinMag(Smaller smaller, boolean smooth) {
+public record MinMag(MinificationFilter smaller, boolean smooth) {
     /** How texels are looked up that are smaller than pixels. */
-    public enum Smaller {
+    public enum MinificationFilter {
         NEAREST {
             @Override
             int texel(TextureSampler sampler, double s, double t, double lambda) {

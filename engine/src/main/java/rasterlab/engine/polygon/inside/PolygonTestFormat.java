@@ -67,7 +67,7 @@ public final class PolygonTestFormat extends MembershipFormat<PointInPolygon> {
     }
 
     @Override
-    protected Membership.Judge judge(PointInPolygon method, ShapeAndPoints input) {
+    protected Membership.PointClassifier judge(PointInPolygon method, ShapeAndPoints input) {
         double[] polygonX = input.corners().xs();
         double[] polygonY = input.corners().ys();
         return (x, y) -> method.contains(polygonX, polygonY, x, y);

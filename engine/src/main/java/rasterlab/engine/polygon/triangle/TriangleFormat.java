@@ -61,7 +61,7 @@ public final class TriangleFormat extends MembershipFormat<PointInTriangle> {
     }
 
     @Override
-    protected Membership.Judge judge(PointInTriangle method, ShapeAndPoints input) {
+    protected Membership.PointClassifier judge(PointInTriangle method, ShapeAndPoints input) {
         Points t = input.corners();
         double ax = t.x(0);
         double ay = t.y(0);

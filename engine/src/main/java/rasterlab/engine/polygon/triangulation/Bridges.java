@@ -69,7 +69,8 @@ final class Bridges {
     }
 
     private IllegalArgumentException meeting(int one, int other) {
-        return corners.meeting(new MeetingEdges.Pair(Math.min(one, other), Math.max(one, other)));
+        return corners.meeting(
+                new MeetingEdges.EdgePair(Math.min(one, other), Math.max(one, other)));
     }
 
     private void requireBridgeEnds() {
@@ -101,7 +102,7 @@ final class Bridges {
                         .toArray();
         int[] from = Arrays.stream(once).map(places::of).toArray();
         int[] to = Arrays.stream(once).map(this::placeAfter).toArray();
-        Optional<MeetingEdges.Pair> pair = MeetingEdges.of(x, y, from, to);
+        Optional<MeetingEdges.EdgePair> pair = MeetingEdges.of(x, y, from, to);
         if (pair.isPresent()) throw meeting(once[pair.get().one()], once[pair.get().other()]);
     }
 

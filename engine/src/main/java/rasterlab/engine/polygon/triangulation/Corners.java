@@ -80,7 +80,7 @@ final class Corners {
         return Arrays.stream(number).mapToDouble(i -> values[i]).toArray();
     }
 
-    IllegalArgumentException meeting(MeetingEdges.Pair pair) {
+    IllegalArgumentException meeting(MeetingEdges.EdgePair pair) {
         return new IllegalArgumentException(
                 "edges may meet only at the corner they share, but those from corners "
                         + number[pair.one()]

@@ -15,7 +15,7 @@ final class MaterialReader {
     private final List<MaterialValues> read = new ArrayList<>();
 
     /** A material and the file and line that begin it. */
-    record Placed(ObjMaterial material, String place) {}
+    record LocatedMaterial(ObjMaterial material, String place) {}
 
     private MaterialReader(TextLines lines, Notes notes) {
         this.lines = lines;
@@ -23,7 +23,7 @@ final class MaterialReader {
         words = new Words(lines, notes);
     }
 
-    static List<Placed> read(String file, Reader reader, Notes notes)
+    static List<LocatedMaterial> read(String file, Reader reader, Notes notes)
             throws IOException, BrokenFileException {
         var lines = new TextLines(file, reader);
         var materials = new MaterialReader(lines, notes);
@@ -32,7 +32,7 @@ final class MaterialReader {
             if (materials.words.count() > 0) materials.line(materials.words.get(0));
         }
         return materials.read.stream()
-                .map(values -> new Placed(values.material(), values.place))
+                .map(values -> new LocatedMaterial(values.material(), values.place))
                 .toList();
     }
 

@@ -98,7 +98,8 @@ final class Materials {
         }
         if (found.isEmpty()) return false;
         try (Reader reader = found.get()) {
-            for (MaterialReader.Placed read : MaterialReader.read(name, reader, notes)) add(read);
+            for (MaterialReader.LocatedMaterial read : MaterialReader.read(name, reader, notes))
+                add(read);
         } catch (BrokenFileException e) {
             noteUnread(name, e.getMessage());
         }
@@ -112,7 +113,7 @@ final class Materials {
                 lines);
     }
 
-    private void add(MaterialReader.Placed read) {
+    private void add(MaterialReader.LocatedMaterial read) {
         ObjMaterial material = read.material();
         int number = numbers.computeIfAbsent(material.name(), name -> all.size());
         if (number == all.size()) all.add(material);

@@ -23,7 +23,7 @@ final class StrokeFaces {
     private StrokeFaces() {}
 
     /** Corners of a body, x, y, z of each, and its faces by their numbers. */
-    record Body(double[] xyz, int[][] faces) {
+    record StrokeBody(double[] xyz, int[][] faces) {
         /** The share that a line's second end has of a corner's colour. */
         double share(int corner) {
             if (faces != PRISM) return 0.5;
@@ -32,22 +32,22 @@ final class StrokeFaces {
     }
 
     /** A line that is as short as it is thick is a point. */
-    static Body between(double[] from, double[] to) {
+    static StrokeBody between(double[] from, double[] to) {
         double[] along = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
         double length = length(along);
         return length < RADIUS ? point(from) : line(from, to, along, length);
     }
 
-    private static Body point(double[] at) {
+    private static StrokeBody point(double[] at) {
         double[] xyz = new double[18];
         for (int corner = 0; corner < 6; corner++) {
             System.arraycopy(at, 0, xyz, 3 * corner, 3);
             xyz[3 * corner + corner / 2] += corner % 2 == 0 ? POINT_RADIUS : -POINT_RADIUS;
         }
-        return new Body(xyz, OCTAHEDRON);
+        return new StrokeBody(xyz, OCTAHEDRON);
     }
 
-    private static Body line(double[] from, double[] to, double[] along, double length) {
+    private static StrokeBody line(double[] from, double[] to, double[] along, double length) {
         int least = 0;
         for (int axis = 1; axis < 3; axis++)
             if (Math.abs(along[axis]) < Math.abs(along[least])) least = axis;
@@ -68,7 +68,7 @@ final class StrokeFaces {
                 xyz[3 * (k + 3) + i] = to[i] + off;
             }
         }
-        return new Body(xyz, PRISM);
+        return new StrokeBody(xyz, PRISM);
     }
 
     /** The outward normal of a body's face, of length 1. */

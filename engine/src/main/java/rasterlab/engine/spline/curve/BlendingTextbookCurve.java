@@ -13,7 +13,7 @@ import rasterlab.contract.Curve;
  */
 public final class BlendingTextbookCurve extends EvaluatedCurve {
     @Override
-    Span span(Curve curve, int index) {
+    CurveSpan span(Curve curve, int index) {
         boolean hermite = curve.kind() == Curve.Kind.HERMITE;
         boolean bezier = curve.kind() == Curve.Kind.BEZIER && curve.degree() == 3;
         if (!hermite && !bezier)

@@ -17,7 +17,7 @@ public record CurveJoint(CurvePlace before, CurvePlace after) {
      * How two pieces join, from a gap to the same second derivative, each kind including those
      * before it.
      */
-    public enum Kind {
+    public enum Continuity {
         /** The pieces do not touch. */
         GAP,
         /** The pieces touch. */
@@ -30,17 +30,17 @@ public record CurveJoint(CurvePlace before, CurvePlace after) {
         C2
     }
 
-    public Kind kind() {
+    public Continuity kind() {
         double size =
                 Math.max(Math.hypot(before.x(), before.y()), Math.hypot(after.x(), after.y()));
         double turn = turnRadians();
-        if (gap() > SAME * Math.max(size, Double.MIN_NORMAL)) return Kind.GAP;
-        if (!(turn <= SAME)) return Kind.C0;
+        if (gap() > SAME * Math.max(size, Double.MIN_NORMAL)) return Continuity.GAP;
+        if (!(turn <= SAME)) return Continuity.C0;
         double jump = Math.hypot(after.dx() - before.dx(), after.dy() - before.dy());
-        if (jump > SAME * Math.max(before.speed(), after.speed())) return Kind.G1;
+        if (jump > SAME * Math.max(before.speed(), after.speed())) return Continuity.G1;
         double bend = Math.max(bend(before), bend(after));
         double bendJump = Math.hypot(after.ddx() - before.ddx(), after.ddy() - before.ddy());
-        return bendJump > SAME * Math.max(bend, before.speed()) ? Kind.C1 : Kind.C2;
+        return bendJump > SAME * Math.max(bend, before.speed()) ? Continuity.C1 : Continuity.C2;
     }
 
     /** Pixels between the pieces. */

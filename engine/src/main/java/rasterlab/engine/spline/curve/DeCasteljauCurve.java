@@ -20,7 +20,7 @@ import rasterlab.contract.Curve;
  */
 public final class DeCasteljauCurve extends EvaluatedCurve implements SteppedPoint {
     @Override
-    Span span(Curve curve, int index) {
+    CurveSpan span(Curve curve, int index) {
         var points = new BezierPoints(curve);
         points.load(index);
         var x = new double[points.x.length];

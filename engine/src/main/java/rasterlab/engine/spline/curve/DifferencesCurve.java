@@ -14,7 +14,7 @@ abstract class DifferencesCurve implements SteppedCurve {
     private static final double UNEVEN = 1e-12;
 
     /** The point that goes on by one step at a time. */
-    interface Run {
+    interface DifferencePoint {
         void step();
 
         double x();
@@ -27,7 +27,7 @@ abstract class DifferencesCurve implements SteppedCurve {
      *
      * @param ofX differences of order 0 to the degree
      */
-    abstract Run start(double[] ofX, double[] ofY);
+    abstract DifferencePoint start(double[] ofX, double[] ofY);
 
     @Override
     public final void at(Curve curve, double[] t, CurvePoints out) {
@@ -35,7 +35,7 @@ abstract class DifferencesCurve implements SteppedCurve {
         PowerForm.requireDegree(curve);
         double step = equalStep(t) * curve.spans();
         int span = -1;
-        Run run = null;
+        DifferencePoint run = null;
         for (double each : t) {
             int index = CurveSpans.span(curve, each);
             if (index == span) run.step();
@@ -45,7 +45,7 @@ abstract class DifferencesCurve implements SteppedCurve {
         }
     }
 
-    private Run started(Curve curve, int span, double u, double step) {
+    private DifferencePoint started(Curve curve, int span, double u, double step) {
         return start(
                 ForwardDifferences.of(PowerForm.coefficients(curve, curve.x(), span), u, step),
                 ForwardDifferences.of(PowerForm.coefficients(curve, curve.y(), span), u, step));
@@ -82,7 +82,7 @@ abstract class DifferencesCurve implements SteppedCurve {
     private final class Walk implements CurveWalk {
         private final Curve curve;
         private final int[] steps;
-        private Run run;
+        private DifferencePoint run;
         private int index;
         private int step = -1;
 

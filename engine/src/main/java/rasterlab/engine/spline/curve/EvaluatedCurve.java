@@ -9,7 +9,7 @@ import rasterlab.contract.CurvePoints;
  */
 abstract class EvaluatedCurve implements SteppedCurve {
     /** One span, ready to be evaluated. */
-    interface Span {
+    interface CurveSpan {
         /**
          * Computes the point at {@code u} in [0, 1].
          *
@@ -23,7 +23,7 @@ abstract class EvaluatedCurve implements SteppedCurve {
      *
      * @throws IllegalArgumentException if the method cannot draw this curve
      */
-    abstract Span span(Curve curve, int index);
+    abstract CurveSpan span(Curve curve, int index);
 
     /** How many times the rounding of de Casteljau's triangle this method rounds; at least 1. */
     double growth(Curve curve) {
@@ -35,7 +35,7 @@ abstract class EvaluatedCurve implements SteppedCurve {
         CurveSpans.requireInside(t);
         var point = new double[2];
         int loaded = -1;
-        Span span = null;
+        CurveSpan span = null;
         for (double each : t) {
             int index = CurveSpans.span(curve, each);
             if (index != loaded) span = span(curve, index);
@@ -65,7 +65,7 @@ abstract class EvaluatedCurve implements SteppedCurve {
         private final Curve curve;
         private final int[] steps;
         private final double[] point = new double[2];
-        private Span span;
+        private CurveSpan span;
         private int index;
         private int step = -1;
 

@@ -13,11 +13,11 @@ package rasterlab.engine.spline.curve;
  */
 public final class ForwardDifferencesCurve extends DifferencesCurve {
     @Override
-    Run start(double[] ofX, double[] ofY) {
+    DifferencePoint start(double[] ofX, double[] ofY) {
         return new Doubles(ofX, ofY);
     }
 
-    private record Doubles(double[] dx, double[] dy) implements Run {
+    private record Doubles(double[] dx, double[] dy) implements DifferencePoint {
         @Override
         public void step() {
             for (int k = 0; k + 1 < dx.length; k++) {

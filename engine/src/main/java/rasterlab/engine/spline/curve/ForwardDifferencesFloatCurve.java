@@ -9,7 +9,7 @@ package rasterlab.engine.spline.curve;
  */
 public final class ForwardDifferencesFloatCurve extends DifferencesCurve {
     @Override
-    Run start(double[] ofX, double[] ofY) {
+    DifferencePoint start(double[] ofX, double[] ofY) {
         return new Floats(floats(ofX), floats(ofY));
     }
 
@@ -25,7 +25,7 @@ public final class ForwardDifferencesFloatCurve extends DifferencesCurve {
         return floats;
     }
 
-    private record Floats(float[] dx, float[] dy) implements Run {
+    private record Floats(float[] dx, float[] dy) implements DifferencePoint {
         @Override
         public void step() {
             for (int k = 0; k + 1 < dx.length; k++) {

@@ -17,7 +17,7 @@ public final class HornerCurve extends EvaluatedCurve implements SteppedPoint {
     }
 
     @Override
-    Span span(Curve curve, int index) {
+    CurveSpan span(Curve curve, int index) {
         PowerForm.requireDegree(curve);
         double[] ofX = PowerForm.coefficients(curve, curve.x(), index);
         double[] ofY = PowerForm.coefficients(curve, curve.y(), index);

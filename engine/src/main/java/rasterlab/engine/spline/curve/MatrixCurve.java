@@ -20,7 +20,7 @@ public final class MatrixCurve extends EvaluatedCurve implements SteppedPoint {
     }
 
     @Override
-    Span span(Curve curve, int index) {
+    CurveSpan span(Curve curve, int index) {
         PowerForm.requireDegree(curve);
         double[][] matrix = CurveMatrix.of(curve);
         double divisor = CurveMatrix.divisor(curve);

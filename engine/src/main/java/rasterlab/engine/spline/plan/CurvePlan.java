@@ -20,7 +20,7 @@ import rasterlab.engine.study.Deviation;
  * @param ways each within the tolerance, in teaching order
  * @param times that the polylines are drawn, at least 1
  */
-public record CurvePlan(List<Way> ways, long times) {
+public record CurvePlan(List<MethodPolylines> ways, long times) {
     /**
      * One method's polylines.
      *
@@ -30,7 +30,7 @@ public record CurvePlan(List<Way> ways, long times) {
      * @param makingNanos of processor time, by the prices
      * @param drawingNanos of drawing them once
      */
-    public record Way(
+    public record MethodPolylines(
             String method,
             long segments,
             double errorPixels,
@@ -65,7 +65,7 @@ public record CurvePlan(List<Way> ways, long times) {
             CurvePrices prices,
             BooleanSupplier cancelled) {
         var topic = new CurveTopic();
-        var ways = new ArrayList<Way>();
+        var ways = new ArrayList<MethodPolylines>();
         for (String method : CurvePrices.METHODS) {
             CurveTracer tracer = topic.method(method).implementation();
             long segments = 0;
@@ -82,7 +82,7 @@ public record CurvePlan(List<Way> ways, long times) {
             }
             if (right)
                 ways.add(
-                        new Way(
+                        new MethodPolylines(
                                 method,
                                 segments,
                                 error,
@@ -97,12 +97,12 @@ public record CurvePlan(List<Way> ways, long times) {
     }
 
     /** The cheapest way for so many times. */
-    public Way chosen() {
+    public MethodPolylines chosen() {
         return ways.stream().min(Comparator.comparingDouble(way -> way.nanos(times))).orElseThrow();
     }
 
     /** The dearest way for so many times: what a wrong choice would cost. */
-    public Way dearest() {
+    public MethodPolylines dearest() {
         return ways.stream().max(Comparator.comparingDouble(way -> way.nanos(times))).orElseThrow();
     }
 }

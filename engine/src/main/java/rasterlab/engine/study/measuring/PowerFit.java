@@ -23,19 +23,20 @@ public record PowerFit(double exponent, double margin, double factor) {
     private static final double NORMAL = 1.96;
 
     /** A point of the curve. */
-    public record Point(double x, double y) {}
+    public record FittedPoint(double x, double y) {}
 
     /** The fit; empty below three different points above 0, which tell no interval. */
-    public static Optional<PowerFit> of(List<Point> points) {
-        List<Point> logs =
+    public static Optional<PowerFit> of(List<FittedPoint> points) {
+        List<FittedPoint> logs =
                 points.stream()
                         .filter(one -> one.x > 0 && one.y > 0 && Double.isFinite(one.y))
-                        .map(one -> new Point(Math.log(one.x), Math.log(one.y)))
+                        .map(one -> new FittedPoint(Math.log(one.x), Math.log(one.y)))
                         .toList();
         int n = logs.size();
-        if (logs.stream().mapToDouble(Point::x).distinct().count() < 3) return Optional.empty();
-        double x = logs.stream().mapToDouble(Point::x).average().orElseThrow();
-        double y = logs.stream().mapToDouble(Point::y).average().orElseThrow();
+        if (logs.stream().mapToDouble(FittedPoint::x).distinct().count() < 3)
+            return Optional.empty();
+        double x = logs.stream().mapToDouble(FittedPoint::x).average().orElseThrow();
+        double y = logs.stream().mapToDouble(FittedPoint::y).average().orElseThrow();
         double xx = logs.stream().mapToDouble(one -> (one.x - x) * (one.x - x)).sum();
         double xy = logs.stream().mapToDouble(one -> (one.x - x) * (one.y - y)).sum();
         double slope = xy / xx;

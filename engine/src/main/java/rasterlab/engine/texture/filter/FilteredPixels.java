@@ -35,12 +35,12 @@ public record FilteredPixels(int width, int height, int[] argb, double[] footpri
 
     /** The result for one pixel. */
     @FunctionalInterface
-    interface OfPixel<T> {
+    interface FootprintFunction<T> {
         T of(double s, double t, double dsdx, double dtdx, double dsdy, double dtdy);
     }
 
     /** The result for each, in their order. */
-    <T> List<T> each(OfPixel<T> make) {
+    <T> List<T> each(FootprintFunction<T> make) {
         var made = new ArrayList<T>();
         for (int at = 0; at < footprints.length; at += NUMBERS)
             made.add(

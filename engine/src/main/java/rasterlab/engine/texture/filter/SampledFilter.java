@@ -17,7 +17,7 @@ import rasterlab.engine.texture.Wrap;
 final class SampledFilter implements SteppedFilter {
     /** A lookup in the texture, at a place and a level. */
     @FunctionalInterface
-    interface Look {
+    interface TexelLookup {
         int color(TextureSampler sampler, double s, double t, double lambda);
     }
 
@@ -27,10 +27,10 @@ final class SampledFilter implements SteppedFilter {
         List<TexelShare> of(TexelShares texture, double s, double t, double lambda);
     }
 
-    private final Look look;
+    private final TexelLookup look;
     private final Shares shares;
 
-    SampledFilter(Look look, Shares shares) {
+    SampledFilter(TexelLookup look, Shares shares) {
         this.look = look;
         this.shares = shares;
     }

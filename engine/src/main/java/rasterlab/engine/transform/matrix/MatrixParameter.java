@@ -13,9 +13,10 @@ import rasterlab.engine.format.ValueSink;
  * @param range which numbers are allowed
  * @param otherwise what it is where it is left out; only for one number
  */
-public record MatrixParameter(String name, int size, Range range, OptionalDouble otherwise) {
+public record MatrixParameter(
+        String name, int size, ParameterRange range, OptionalDouble otherwise) {
     /** The numbers that a parameter may be. */
-    public enum Range {
+    public enum ParameterRange {
         ANY("a finite number", v -> true),
         DEGREES("a finite number of degrees", v -> true),
         NOT_ZERO("a finite number other than 0", v -> v != 0),
@@ -27,7 +28,7 @@ public record MatrixParameter(String name, int size, Range range, OptionalDouble
         private final String text;
         private final DoublePredicate holds;
 
-        Range(String text, DoublePredicate holds) {
+        ParameterRange(String text, DoublePredicate holds) {
             this.text = text;
             this.holds = holds;
         }
@@ -74,19 +75,19 @@ public record MatrixParameter(String name, int size, Range range, OptionalDouble
     }
 
     static MatrixParameter number(String name) {
-        return number(name, Range.ANY);
+        return number(name, ParameterRange.ANY);
     }
 
-    static MatrixParameter number(String name, Range range) {
+    static MatrixParameter number(String name, ParameterRange range) {
         return new MatrixParameter(name, 1, range, OptionalDouble.empty());
     }
 
     static MatrixParameter angle(String name) {
-        return number(name, Range.DEGREES);
+        return number(name, ParameterRange.DEGREES);
     }
 
     static MatrixParameter vector(String name) {
-        return new MatrixParameter(name, 3, Range.ANY, OptionalDouble.empty());
+        return new MatrixParameter(name, 3, ParameterRange.ANY, OptionalDouble.empty());
     }
 
     MatrixParameter or(double value) {

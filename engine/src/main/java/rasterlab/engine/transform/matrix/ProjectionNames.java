@@ -12,7 +12,7 @@ import org.joml.Matrix4d;
 import rasterlab.engine.transform.Angle;
 import rasterlab.engine.transform.ProjectionMatrices;
 import rasterlab.engine.transform.TextbookMatrices;
-import rasterlab.engine.transform.matrix.MatrixParameter.Range;
+import rasterlab.engine.transform.matrix.MatrixParameter.ParameterRange;
 
 /** Names of the parallel and central projections. */
 final class ProjectionNames {
@@ -121,13 +121,13 @@ final class ProjectionNames {
                         "x' = k·x / (z + k), the eye at z = −k",
                         MatrixInverse.NONE,
                         p -> ProjectionMatrices.central(p[0]),
-                        number("k", Range.NOT_ZERO)),
+                        number("k", ParameterRange.NOT_ZERO)),
                 space(
                         "CENTRAL_ORIGIN",
                         "x' = k·x / z, the eye at the origin",
                         MatrixInverse.NONE,
                         p -> ProjectionMatrices.centralFromOrigin(p[0]),
-                        number("k", Range.NOT_ZERO)),
+                        number("k", ParameterRange.NOT_ZERO)),
                 normalize(),
                 space(
                         "CANONICAL",
@@ -136,7 +136,7 @@ final class ProjectionNames {
                                 "rows 3 and 4: 0 0 0 −(1 − zmin)/zmin, 0 0 1 1/zmin",
                                 p -> backToThePyramid(p[0])),
                         p -> ProjectionMatrices.canonical(p[0]),
-                        number("zmin", Range.INSIDE_UNIT)));
+                        number("zmin", ParameterRange.INSIDE_UNIT)));
     }
 
     private static NamedMatrix normalize() {
@@ -148,10 +148,10 @@ final class ProjectionNames {
                         "scales of x by zmax·xscreen/a, of y by zmax·yscreen/a, of z by zmax",
                         p -> TextbookMatrices.scale(p[3] * p[1] / p[0], p[3] * p[2] / p[0], p[3])),
                 p -> ProjectionMatrices.normalize(p[0], p[1], p[2], p[3]),
-                number("a", Range.POSITIVE),
-                number("xscreen", Range.POSITIVE),
-                number("yscreen", Range.POSITIVE),
-                number("zmax", Range.POSITIVE));
+                number("a", ParameterRange.POSITIVE),
+                number("xscreen", ParameterRange.POSITIVE),
+                number("yscreen", ParameterRange.POSITIVE),
+                number("zmax", ParameterRange.POSITIVE));
     }
 
     private static Matrix4d backToThePyramid(double zMin) {

@@ -13,7 +13,7 @@ import org.joml.Vector3d;
 import rasterlab.engine.transform.Angle;
 import rasterlab.engine.transform.Directions;
 import rasterlab.engine.transform.TextbookMatrices;
-import rasterlab.engine.transform.matrix.MatrixParameter.Range;
+import rasterlab.engine.transform.matrix.MatrixParameter.ParameterRange;
 
 /** Names of the 4×4 matrices of motion, scale and reflection. */
 final class SpaceNames {
@@ -38,7 +38,7 @@ final class SpaceNames {
                         MatrixInverse.space(
                                 "SCALE3D(1/s)", p -> TextbookMatrices.uniformScale(1 / p[0])),
                         p -> TextbookMatrices.uniformScale(p[0]),
-                        number("s", Range.NOT_ZERO)),
+                        number("s", ParameterRange.NOT_ZERO)),
                 reflection("XY", TextbookMatrices.scale(1, 1, -1)),
                 reflection("YZ", TextbookMatrices.scale(-1, 1, 1)),
                 reflection("ZX", TextbookMatrices.scale(1, -1, 1)),

@@ -12,7 +12,7 @@ import rasterlab.engine.transform.Angle;
 import rasterlab.engine.transform.GlMatrices;
 import rasterlab.engine.transform.TextbookMatrices;
 import rasterlab.engine.transform.ViewMatrices;
-import rasterlab.engine.transform.matrix.MatrixParameter.Range;
+import rasterlab.engine.transform.matrix.MatrixParameter.ParameterRange;
 
 /** Names of the matrices from the world to the eye and from there to the window. */
 final class ViewNames {
@@ -29,7 +29,7 @@ final class ViewNames {
                         p -> ViewMatrices.left(Angle.ofDegrees(p[0]), Angle.ofDegrees(p[1]), p[2]),
                         angle("theta"),
                         angle("phi"),
-                        number("rho", Range.POSITIVE)),
+                        number("rho", ParameterRange.POSITIVE)),
                 space(
                         "VIEW_RIGHT",
                         "VP_R: the same with y pointing down, right-handed",
@@ -39,7 +39,7 @@ final class ViewNames {
                         p -> ViewMatrices.right(Angle.ofDegrees(p[0]), Angle.ofDegrees(p[1]), p[2]),
                         angle("theta"),
                         angle("phi"),
-                        number("rho", Range.POSITIVE)),
+                        number("rho", ParameterRange.POSITIVE)),
                 space(
                         "LOOKAT",
                         "to the eye that looks at center, up pointing upward, z backward",
@@ -55,22 +55,22 @@ final class ViewNames {
                         "the box left..right, bottom..top, −near..−far becomes −1..1",
                         GlInverses.ORTHO,
                         p -> GlMatrices.ortho(p[0], p[1], p[2], p[3], p[4], p[5]),
-                        sides(Range.ANY)),
+                        sides(ParameterRange.ANY)),
                 space(
                         "GL_FRUSTUM",
                         "the cut pyramid through left..right, bottom..top at −near becomes −1..1",
                         GlInverses.FRUSTUM,
                         p -> GlMatrices.frustum(p[0], p[1], p[2], p[3], p[4], p[5]),
-                        sides(Range.POSITIVE)),
+                        sides(ParameterRange.POSITIVE)),
                 space(
                         "GL_PERSPECTIVE",
                         "the same for a straight look, fovy degrees high, aspect times as wide",
                         GlInverses.PERSPECTIVE,
                         p -> GlMatrices.perspective(p[0], p[1], p[2], p[3]),
-                        number("fovy", Range.HALF_TURN),
-                        number("aspect", Range.POSITIVE),
-                        number("near", Range.POSITIVE),
-                        number("far", Range.POSITIVE)),
+                        number("fovy", ParameterRange.HALF_TURN),
+                        number("aspect", ParameterRange.POSITIVE),
+                        number("near", ParameterRange.POSITIVE),
+                        number("far", ParameterRange.POSITIVE)),
                 viewport());
     }
 
@@ -82,10 +82,10 @@ final class ViewNames {
                 p -> GlMatrices.viewport(p[0], p[1], p[2], p[3], p[4], p[5]),
                 number("x"),
                 number("y"),
-                number("width", Range.POSITIVE),
-                number("height", Range.POSITIVE),
-                number("n", Range.UNIT).or(0),
-                number("f", Range.UNIT).or(1));
+                number("width", ParameterRange.POSITIVE),
+                number("height", ParameterRange.POSITIVE),
+                number("n", ParameterRange.UNIT).or(0),
+                number("f", ParameterRange.UNIT).or(1));
     }
 
     private interface Spherical {
@@ -105,7 +105,7 @@ final class ViewNames {
         return TextbookMatrices.translation(x, y, z).mul(look.setTranslation(0, 0, 0).transpose());
     }
 
-    private static MatrixParameter[] sides(Range distance) {
+    private static MatrixParameter[] sides(ParameterRange distance) {
         return new MatrixParameter[] {
             number("left"),
             number("right"),

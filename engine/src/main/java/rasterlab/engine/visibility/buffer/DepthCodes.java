@@ -20,7 +20,7 @@ interface DepthCodes {
 
     /** Makes ready what depends on the range only. */
     @FunctionalInterface
-    interface Format {
+    interface DepthCodesFactory {
         DepthCodes over(NearnessRange range);
     }
 }

@@ -20,7 +20,7 @@ import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.VisibilityStep;
 import rasterlab.engine.visibility.VisibilityWalk;
 import rasterlab.engine.visibility.buffer.PixelTouch.DepthTest;
-import rasterlab.engine.visibility.buffer.PixelTouch.Verdict;
+import rasterlab.engine.visibility.buffer.PixelTouch.TouchOutcome;
 
 /**
  * Everything that touched one pixel while a picture was drawn, in the order in which it did.
@@ -76,7 +76,7 @@ public final class PixelHistory {
     private void draw(Visibility method, BooleanSupplier cancelled) {
         method.draw(view, recorder, out, cancelled);
         for (Write write : recorder.take())
-            add(0, write.face, Verdict.DRAWN, Optional.empty(), write.before, write.after);
+            add(0, write.face, TouchOutcome.DRAWN, Optional.empty(), write.before, write.after);
     }
 
     private void watch(SteppedVisibility method, BooleanSupplier cancelled) {
@@ -103,17 +103,22 @@ public final class PixelHistory {
     private void record(int step, VisibilityStep done, Optional<DepthTest> test) {
         List<Write> writes = recorder.take();
         for (Write write : writes)
-            add(step, write.face, Verdict.DRAWN, test, write.before, write.after);
+            add(step, write.face, TouchOutcome.DRAWN, test, write.before, write.after);
         int now = out.argb(x, y);
-        if (writes.isEmpty() && test.isPresent() && done instanceof VisibilityStep.Drawn drawn)
-            add(step, drawn.face(), Verdict.FAILED, test, now, now);
+        if (writes.isEmpty() && test.isPresent() && done instanceof VisibilityStep.FaceDrawn drawn)
+            add(step, drawn.face(), TouchOutcome.FAILED, test, now, now);
         int last = touches.isEmpty() ? recorder.first : touches.get(touches.size() - 1).after();
-        if (now != last && done instanceof VisibilityStep.Drawn drawn)
-            add(step, drawn.face(), Verdict.OUTLINED, Optional.empty(), last, now);
+        if (now != last && done instanceof VisibilityStep.FaceDrawn drawn)
+            add(step, drawn.face(), TouchOutcome.OUTLINED, Optional.empty(), last, now);
     }
 
     private void add(
-            int step, int face, Verdict verdict, Optional<DepthTest> test, int before, int after) {
+            int step,
+            int face,
+            TouchOutcome verdict,
+            Optional<DepthTest> test,
+            int before,
+            int after) {
         touches.add(new PixelTouch(step, face, depth(face), verdict, test, before, after));
     }
 
@@ -137,7 +142,7 @@ public final class PixelHistory {
                             0,
                             face,
                             depth(face),
-                            Verdict.LEFT_OUT,
+                            TouchOutcome.LEFT_OUT,
                             Optional.empty(),
                             color,
                             color));

@@ -19,7 +19,7 @@ public record PixelTouch(
         int step,
         int face,
         double z,
-        Verdict verdict,
+        TouchOutcome verdict,
         Optional<DepthTest> test,
         int before,
         int after) {
@@ -28,7 +28,7 @@ public record PixelTouch(
     }
 
     /** The fate of a face at a pixel. */
-    public enum Verdict {
+    public enum TouchOutcome {
         /** The pixel got its colour, or was mixed with it. */
         DRAWN,
         /** The pixel got the colour of its outline. */

@@ -31,10 +31,10 @@ import rasterlab.engine.visibility.VisibilityWork;
  * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
  */
 final class ZBuffer implements SteppedVisibility {
-    private final DepthCodes.Format format;
+    private final DepthCodes.DepthCodesFactory format;
     private final SpareDepths spare = new SpareDepths();
 
-    ZBuffer(DepthCodes.Format format) {
+    ZBuffer(DepthCodes.DepthCodesFactory format) {
         this.format = format;
     }
 
@@ -137,7 +137,7 @@ final class ZBuffer implements SteppedVisibility {
 
         @Override
         public VisibilityStep step() {
-            return new VisibilityStep.Drawn(face, nearer);
+            return new VisibilityStep.FaceDrawn(face, nearer);
         }
 
         @Override

@@ -154,7 +154,7 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
         StoredDepths stored = recorded(call, rows);
         var coding = (DepthCoding) call.method();
         double[] behind = DepthCell.behind(coding, rows);
-        DepthCoding.Codes codes = coding.over(rows.range());
+        DepthCoding.RangeCodes codes = coding.over(rows.range());
         return out -> {
             out.wholes(CODES.name(), stored.codes());
             out.name(STORED.name());

@@ -45,15 +45,15 @@ final class DepthBufferMutants {
         return over(right -> new Counted(right, rows));
     }
 
-    private static DepthCoding over(UnaryOperator<DepthCoding.Codes> mistake) {
+    private static DepthCoding over(UnaryOperator<DepthCoding.RangeCodes> mistake) {
         return range -> mistake.apply(RIGHT.over(range));
     }
 
     /** Right codes, each row of which may be changed. */
-    private static class Changed implements DepthCoding.Codes {
-        final DepthCoding.Codes right;
+    private static class Changed implements DepthCoding.RangeCodes {
+        final DepthCoding.RangeCodes right;
 
-        Changed(DepthCoding.Codes right) {
+        Changed(DepthCoding.RangeCodes right) {
             this.right = right;
         }
 
@@ -79,7 +79,7 @@ final class DepthBufferMutants {
     }
 
     private static final class Turned extends Changed {
-        Turned(DepthCoding.Codes right) {
+        Turned(DepthCoding.RangeCodes right) {
             super(right);
         }
 
@@ -113,7 +113,7 @@ final class DepthBufferMutants {
     private static final class Counted extends Changed {
         private final AtomicInteger rows;
 
-        Counted(DepthCoding.Codes right, AtomicInteger rows) {
+        Counted(DepthCoding.RangeCodes right, AtomicInteger rows) {
             super(right);
             this.rows = rows;
         }
@@ -127,7 +127,7 @@ final class DepthBufferMutants {
     }
 
     private static final class LinearZ extends Changed {
-        LinearZ(DepthCoding.Codes right) {
+        LinearZ(DepthCoding.RangeCodes right) {
             super(right);
         }
 

@@ -67,7 +67,7 @@ public final class DepthBufferTopic implements Topic<DepthFormat, DepthRows, Sto
     public long spend(DepthFormat method, DepthRows rows) {
         var row = new int[rows.pixels()];
         if (method instanceof DepthCoding coding) {
-            DepthCoding.Codes codes = coding.over(rows.range());
+            DepthCoding.RangeCodes codes = coding.over(rows.range());
             for (int s = 0; s < rows.surfaces(); s++)
                 codes.row(rows.nearness(s), rows.perPixel(s), 0, row.length, row);
             return rows.count();

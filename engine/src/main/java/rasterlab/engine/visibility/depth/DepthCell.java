@@ -14,7 +14,7 @@ public record DepthCell(double nearest, double farthest) {
      *
      * @param z between the planes
      */
-    public static DepthCell of(DepthCoding.Codes codes, DepthRange range, double z) {
+    public static DepthCell of(DepthCoding.RangeCodes codes, DepthRange range, double z) {
         double far = Math.min(range.far(), Double.MAX_VALUE);
         return new DepthCell(last(codes, z, range.near()), last(codes, z, far));
     }
@@ -25,7 +25,7 @@ public record DepthCell(double nearest, double farthest) {
      */
     public static double[] behind(DepthCoding format, DepthRows rows) {
         DepthRange range = rows.range();
-        DepthCoding.Codes codes = format.over(range);
+        DepthCoding.RangeCodes codes = format.over(range);
         var behind = new double[rows.count()];
         for (int i = 0; i < behind.length; i++) {
             double z = rows.depth(i / rows.pixels(), i % rows.pixels());
@@ -35,7 +35,7 @@ public record DepthCell(double nearest, double farthest) {
     }
 
     /** The double that is farthest from {@code z} on the way to {@code end} and has its code. */
-    private static double last(DepthCoding.Codes codes, double z, double end) {
+    private static double last(DepthCoding.RangeCodes codes, double z, double end) {
         int code = codes.code(1 / z);
         if (codes.code(1 / end) == code) return end;
         long same = Double.doubleToRawLongBits(z);

@@ -11,7 +11,7 @@ public interface DepthCoding extends DepthFormat {
      *
      * @throws IllegalArgumentException if the format cannot store depths up to that far plane
      */
-    Codes over(DepthRange range);
+    RangeCodes over(DepthRange range);
 
     @Override
     default void store(
@@ -22,13 +22,13 @@ public interface DepthCoding extends DepthFormat {
             int to,
             int[] codes,
             double[] depths) {
-        Codes coder = over(range);
+        RangeCodes coder = over(range);
         coder.row(base, perPixel, from, to, codes);
         for (int i = 0; i < to - from; i++) depths[i] = coder.depth(codes[i]);
     }
 
     /** The codes of one range, from the smallest at the near plane to the largest at the far. */
-    interface Codes {
+    interface RangeCodes {
         /**
          * The code of a single depth.
          *

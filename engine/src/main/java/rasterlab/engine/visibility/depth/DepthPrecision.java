@@ -39,19 +39,19 @@ public final class DepthPrecision {
      * @param measured smallest distance that is certain to be told apart, as a share of z
      * @param predicted by the formula
      */
-    public record Sample(String format, double ratio, double measured, double predicted) {}
+    public record PrecisionSample(String format, double ratio, double measured, double predicted) {}
 
     /** All formats at far/near = 10, 10^(1 + 1/perDecade), … 10⁹. */
-    public static List<Sample> samples(int perDecade) {
+    public static List<PrecisionSample> samples(int perDecade) {
         if (perDecade < 1)
             throw new IllegalArgumentException("perDecade must be at least 1, got " + perDecade);
-        var samples = new ArrayList<Sample>();
+        var samples = new ArrayList<PrecisionSample>();
         long steps = Math.round(Math.log10(MOST_RATIO / LEAST_RATIO) * perDecade);
         for (String format : FORMATS)
             for (int i = 0; i <= steps; i++) {
                 double ratio = LEAST_RATIO * Math.pow(10, i / (double) perDecade);
                 samples.add(
-                        new Sample(
+                        new PrecisionSample(
                                 format, ratio, measured(format, ratio), predicted(format, ratio)));
             }
         return samples;
@@ -61,7 +61,7 @@ public final class DepthPrecision {
     public static double measured(String format, double ratio) {
         var range = new DepthRange(1, ratio);
         var coding = (DepthCoding) new DepthBufferTopic().method(format).implementation();
-        DepthCoding.Codes codes = coding.over(range);
+        DepthCoding.RangeCodes codes = coding.over(range);
         return DepthCell.of(codes, range, ratio / 2).width() / (ratio / 2);
     }
 

@@ -22,18 +22,18 @@ final class FixedDepth implements DepthCoding {
     }
 
     @Override
-    public FixedCodes over(DepthRange range) {
-        return new FixedCodes(bits, range);
+    public FixedPointCodes over(DepthRange range) {
+        return new FixedPointCodes(bits, range);
     }
 
     /** Stored number less {@code offset}, so that 32 bits compare as signed numbers. */
-    static final class FixedCodes implements Codes {
+    static final class FixedPointCodes implements RangeCodes {
         private final double nearest;
         private final double scale;
         private final double highest;
         private final int offset;
 
-        private FixedCodes(int bits, DepthRange range) {
+        private FixedPointCodes(int bits, DepthRange range) {
             nearest = range.nearest();
             highest = Math.pow(2, bits) - 1;
             scale = highest / (nearest - range.farthest());

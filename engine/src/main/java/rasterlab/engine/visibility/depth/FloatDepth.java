@@ -18,7 +18,7 @@ final class FloatDepth implements DepthCoding {
         return new FloatCodes(range);
     }
 
-    static final class FloatCodes implements Codes {
+    static final class FloatCodes implements RangeCodes {
         private final double nearest;
         private final double scale;
 

@@ -1,7 +1,7 @@
 package rasterlab.engine.visibility.depth;
 
 import rasterlab.contract.DepthRange;
-import rasterlab.engine.visibility.depth.FixedDepth.FixedCodes;
+import rasterlab.engine.visibility.depth.FixedDepth.FixedPointCodes;
 
 /**
  * {@link FixedDepth} with one addition per pixel, in a fixed-point number of 32 bits: what n bits
@@ -25,8 +25,8 @@ final class IncrementalFixed implements SteppedDepth {
     }
 
     @Override
-    public Codes over(DepthRange range) {
-        FixedCodes codes = direct.over(range);
+    public RangeCodes over(DepthRange range) {
+        FixedPointCodes codes = direct.over(range);
         return new SteppedCodes(
                 codes, (nearness, perPixel, pixels) -> walk(codes, nearness, perPixel, pixels));
     }
@@ -41,13 +41,13 @@ final class IncrementalFixed implements SteppedDepth {
         return "sum − (2ⁿ − 1)·(1/near − 1/z)/(1/near − 1/far): drift in steps of the code";
     }
 
-    private Walk walk(FixedCodes codes, double nearness, double perPixel, int pixels) {
+    private Walk walk(FixedPointCodes codes, double nearness, double perPixel, int pixels) {
         return new Walk(codes, 1L << fraction, nearness, perPixel, pixels);
     }
 
     /** Sum and step are multiples of 1/one. */
     private static final class Walk implements DepthWalk {
-        private final FixedCodes codes;
+        private final FixedPointCodes codes;
         private final double one;
         private final double nearness;
         private final double perPixel;
@@ -56,7 +56,7 @@ final class IncrementalFixed implements SteppedDepth {
         private long sum;
         private int pixel;
 
-        Walk(FixedCodes codes, double one, double nearness, double perPixel, int pixels) {
+        Walk(FixedPointCodes codes, double one, double nearness, double perPixel, int pixels) {
             this.codes = codes;
             this.one = one;
             this.nearness = nearness;

@@ -15,7 +15,7 @@ final class IncrementalFloat implements SteppedDepth {
     private final FloatDepth direct = new FloatDepth();
 
     @Override
-    public Codes over(DepthRange range) {
+    public RangeCodes over(DepthRange range) {
         FloatCodes codes = direct.over(range);
         return new SteppedCodes(
                 codes, (nearness, perPixel, pixels) -> new Walk(codes, nearness, perPixel, pixels));

@@ -21,14 +21,14 @@ final class LinearDepth implements DepthCoding {
     }
 
     @Override
-    public Codes over(DepthRange range) {
+    public RangeCodes over(DepthRange range) {
         if (range.far() == Double.POSITIVE_INFINITY)
             throw new IllegalArgumentException(
                     "far must be finite for equal steps of depth, got " + range.far());
         return new LinearCodes(bits, range);
     }
 
-    private static final class LinearCodes implements Codes {
+    private static final class LinearCodes implements RangeCodes {
         private final double near;
         private final double farthest;
         private final double scale;

@@ -12,11 +12,11 @@ import rasterlab.contract.DepthRange;
  */
 final class ReversedDepth implements DepthCoding {
     @Override
-    public Codes over(DepthRange range) {
+    public RangeCodes over(DepthRange range) {
         return new ReversedCodes(range);
     }
 
-    private static final class ReversedCodes implements Codes {
+    private static final class ReversedCodes implements RangeCodes {
         private final double farthest;
         private final double scale;
 

@@ -1,17 +1,17 @@
 package rasterlab.engine.visibility.depth;
 
 /** Codes that are computed for a single depth and added up along a scan line. */
-final class SteppedCodes implements DepthCoding.Codes {
+final class SteppedCodes implements DepthCoding.RangeCodes {
     /** Begins a scan line. */
     @FunctionalInterface
     interface Start {
         DepthWalk walk(double nearness, double perPixel, int pixels);
     }
 
-    private final DepthCoding.Codes single;
+    private final DepthCoding.RangeCodes single;
     private final Start start;
 
-    SteppedCodes(DepthCoding.Codes single, Start start) {
+    SteppedCodes(DepthCoding.RangeCodes single, Start start) {
         this.single = single;
         this.start = start;
     }

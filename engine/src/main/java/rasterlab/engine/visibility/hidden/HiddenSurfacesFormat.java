@@ -208,15 +208,15 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
     private record Step(VisibilityStep step) implements Written {
         @Override
         public void write(ValueSink out) throws IOException {
-            if (step instanceof VisibilityStep.Drawn drawn) {
+            if (step instanceof VisibilityStep.FaceDrawn drawn) {
                 out.whole("draw", drawn.face());
-            } else if (step instanceof VisibilityStep.Moved moved) {
+            } else if (step instanceof VisibilityStep.FaceMoved moved) {
                 out.whole("move", moved.face());
                 out.whole("before", moved.before());
-            } else if (step instanceof VisibilityStep.Cut cut) {
+            } else if (step instanceof VisibilityStep.FaceCut cut) {
                 out.whole("cut", cut.face());
                 out.whole("by", cut.by());
-            } else if (step instanceof VisibilityStep.Span span) {
+            } else if (step instanceof VisibilityStep.SpanSeen span) {
                 out.whole("span", span.face());
                 out.whole("y", span.y());
                 out.whole("from", span.from());

@@ -39,7 +39,7 @@ final class Bsp implements SteppedOrder {
         private final PieceSink out;
         private final int exponent;
         private final BspTree tree;
-        private final BspTree.Tour tour;
+        private final BspTree.BspTraversal tour;
         private OrderStep step;
         private List<Cut> cuts = List.of();
 

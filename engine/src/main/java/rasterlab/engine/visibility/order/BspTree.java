@@ -131,16 +131,16 @@ final class BspTree {
     }
 
     /** A way through the tree, back to front: far side, plane, near side of each node. */
-    Tour tour() {
-        return new Tour();
+    BspTraversal tour() {
+        return new BspTraversal();
     }
 
     /** Hands out the pieces one by one. */
-    final class Tour {
+    final class BspTraversal {
         private final Deque<Node> undone = new ArrayDeque<>();
         private final Deque<Facet> ready = new ArrayDeque<>();
 
-        private Tour() {
+        private BspTraversal() {
             descend(root);
         }
 

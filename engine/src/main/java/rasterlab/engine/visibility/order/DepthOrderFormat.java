@@ -123,8 +123,8 @@ final class DepthOrderFormat extends Format<DepthOrder, Sight, Painting> {
         @Override
         public void write(ValueSink out) throws IOException {
             out.whole(step.kind().name().toLowerCase(Locale.ROOT), step.polygon());
-            if (step.kind() == OrderStep.Kind.MOVE) out.whole("before", step.against());
-            if (step.kind() == OrderStep.Kind.CUT) out.whole("by", step.against());
+            if (step.kind() == OrderStep.OrderStepKind.MOVE) out.whole("before", step.against());
+            if (step.kind() == OrderStep.OrderStepKind.CUT) out.whole("by", step.against());
             out.number("decision", step.value());
         }
     }

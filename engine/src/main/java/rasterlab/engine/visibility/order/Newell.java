@@ -144,10 +144,10 @@ final class Newell implements SteppedOrder {
         private void move(FacetExtent q, FacetExtent p) {
             left.remove(q);
             waiting.add(q);
-            step = step(OrderStep.Kind.MOVE, q, p);
+            step = step(OrderStep.OrderStepKind.MOVE, q, p);
         }
 
-        private OrderStep step(OrderStep.Kind kind, FacetExtent one, FacetExtent other) {
+        private OrderStep step(OrderStep.OrderStepKind kind, FacetExtent one, FacetExtent other) {
             double depth = Math.scalb(one.mostZ(), exponent);
             return new OrderStep(kind, one.facet().polygon(), other.facet().polygon(), depth);
         }
@@ -155,7 +155,7 @@ final class Newell implements SteppedOrder {
         private void paint(FacetExtent p) {
             waiting.remove(waiting.size() - 1);
             give(p.facet());
-            step = step(OrderStep.Kind.PAINT, p, p);
+            step = step(OrderStep.OrderStepKind.PAINT, p, p);
         }
 
         /** The place of the first marked polygon of which P may hide something, or −1. */
@@ -200,7 +200,7 @@ final class Newell implements SteppedOrder {
             for (FacetExtent each : later) if (each != one) left.add(each);
             later.clear();
             for (Facet piece : one.facet().cut(plane)) left.add(extent(piece));
-            step = step(OrderStep.Kind.CUT, one, by);
+            step = step(OrderStep.OrderStepKind.CUT, one, by);
             return true;
         }
 

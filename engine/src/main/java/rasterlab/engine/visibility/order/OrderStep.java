@@ -7,15 +7,15 @@ package rasterlab.engine.visibility.order;
  * @param against number of the polygon it is moved before or cut because of; its own where painted
  * @param value what decided: the method says what it is
  */
-public record OrderStep(Kind kind, int polygon, int against, double value) {
+public record OrderStep(OrderStepKind kind, int polygon, int against, double value) {
     /** The kind of step that was done. */
-    public enum Kind {
+    public enum OrderStepKind {
         PAINT,
         MOVE,
         CUT
     }
 
     static OrderStep paint(int polygon, double value) {
-        return new OrderStep(Kind.PAINT, polygon, polygon, value);
+        return new OrderStep(OrderStepKind.PAINT, polygon, polygon, value);
     }
 }

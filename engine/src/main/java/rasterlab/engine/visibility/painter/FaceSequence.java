@@ -52,7 +52,7 @@ final class FaceSequence implements VisibilityWalk {
     @Override
     public VisibilityStep step() {
         int face = order[drawn - 1];
-        return new VisibilityStep.Drawn(face, values[face]);
+        return new VisibilityStep.FaceDrawn(face, values[face]);
     }
 
     @Override

@@ -134,7 +134,7 @@ final class OrderedPieces implements SteppedVisibility {
 
         @Override
         public Optional<double[]> piece() {
-            boolean cut = order.step().kind() == OrderStep.Kind.PAINT && cuts.length > 0;
+            boolean cut = order.step().kind() == OrderStep.OrderStepKind.PAINT && cuts.length > 0;
             return cut ? Optional.of(space.toPixels(sightCorners)) : Optional.empty();
         }
 
@@ -144,9 +144,9 @@ final class OrderedPieces implements SteppedVisibility {
             int face = space.face(step.polygon());
             int against = space.face(step.against());
             return switch (step.kind()) {
-                case PAINT -> new VisibilityStep.Drawn(face, step.value());
-                case MOVE -> new VisibilityStep.Moved(face, against, step.value());
-                case CUT -> new VisibilityStep.Cut(face, against, step.value());
+                case PAINT -> new VisibilityStep.FaceDrawn(face, step.value());
+                case MOVE -> new VisibilityStep.FaceMoved(face, against, step.value());
+                case CUT -> new VisibilityStep.FaceCut(face, against, step.value());
             };
         }
 

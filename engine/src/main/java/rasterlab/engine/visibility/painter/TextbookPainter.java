@@ -80,7 +80,7 @@ final class TextbookPainter implements SteppedVisibility {
 
         @Override
         public VisibilityStep step() {
-            return new VisibilityStep.Drawn(face, depth[face]);
+            return new VisibilityStep.FaceDrawn(face, depth[face]);
         }
 
         @Override

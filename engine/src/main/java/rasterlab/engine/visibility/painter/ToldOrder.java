@@ -111,7 +111,7 @@ public final class ToldOrder implements SteppedVisibility {
         @Override
         public VisibilityStep step() {
             int face = space.face(pieces.get(painted - 1).polygon());
-            return new VisibilityStep.Drawn(face, painted);
+            return new VisibilityStep.FaceDrawn(face, painted);
         }
 
         @Override

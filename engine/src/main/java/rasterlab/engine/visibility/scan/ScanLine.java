@@ -70,7 +70,7 @@ public final class ScanLine implements SteppedVisibility {
         public VisibilityStep step() {
             int place = ready.place(next - 1);
             int from = ready.from(next - 1);
-            return new VisibilityStep.Span(
+            return new VisibilityStep.SpanSeen(
                     faces.face(place),
                     row,
                     from,

@@ -20,7 +20,7 @@ import rasterlab.engine.study.Topic;
  * pixels} out.
  */
 final class DepthTriangleFormat
-        extends Format<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> {
+        extends Format<DepthTriangleFiller, DepthTriangles, DepthTriangles.TrianglePicture> {
     private static final String DECISION = "depth − stored: the pixel is written below 0";
     private static final Shape<Double> PLACE =
             Shape.number(-DepthTriangleFiller.LARGEST, DepthTriangleFiller.LARGEST);
@@ -45,7 +45,8 @@ final class DepthTriangleFormat
     private static final Field<?> PIXELS =
             Field.required("pixels", Shape.list(Shape.numbersOrNull(4, 4))).as(FieldKind.PIXELS);
 
-    DepthTriangleFormat(Topic<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> topic) {
+    DepthTriangleFormat(
+            Topic<DepthTriangleFiller, DepthTriangles, DepthTriangles.TrianglePicture> topic) {
         super(topic);
     }
 
@@ -102,7 +103,7 @@ final class DepthTriangleFormat
     }
 
     @Override
-    public void write(DepthTriangles input, DepthTriangles.Shown picture, ValueSink out)
+    public void write(DepthTriangles input, DepthTriangles.TrianglePicture picture, ValueSink out)
             throws IOException {
         out.name(PIXELS.name());
         out.startArray();
@@ -135,11 +136,11 @@ final class DepthTriangleFormat
     @Override
     protected Written steps(Call<DepthTriangleFiller> call, DepthTriangles input) {
         call.stepped(RowsTriangle.class);
-        double[] stored = DepthTriangles.Shown.empty(input).depths();
+        double[] stored = DepthTriangles.TrianglePicture.empty(input).depths();
         var steps = new ArrayList<Step>();
         for (int t = 0; t < input.triangles().size(); t++) {
             var walk =
-                    new RowsTriangle.Walk(
+                    new RowsTriangle.DepthTriangleWalk(
                             input.axis(t, 0),
                             input.axis(t, 1),
                             input.axis(t, 2),

@@ -22,7 +22,7 @@ import rasterlab.engine.study.Workload;
  * a buffer of 16 bits.
  */
 public final class DepthTriangleTopic
-        implements Topic<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> {
+        implements Topic<DepthTriangleFiller, DepthTriangles, DepthTriangles.TrianglePicture> {
     private static final double CORRECT = 1e-11;
     private static final double SAME = 1e-12;
     private static final double BEHIND = 2;
@@ -84,23 +84,26 @@ public final class DepthTriangleTopic
     }
 
     @Override
-    public DepthTriangles.Shown run(DepthTriangleFiller method, DepthTriangles input, int limit) {
-        return DepthTriangles.Shown.by(method, input);
+    public DepthTriangles.TrianglePicture run(
+            DepthTriangleFiller method, DepthTriangles input, int limit) {
+        return DepthTriangles.TrianglePicture.by(method, input);
     }
 
     @Override
     public long spend(DepthTriangleFiller method, DepthTriangles input) {
-        return DepthTriangles.Shown.by(method, input).shown().length;
+        return DepthTriangles.TrianglePicture.by(method, input).shown().length;
     }
 
     @Override
-    public DepthTriangles.Shown exact(DepthTriangles input, int limit) {
+    public DepthTriangles.TrianglePicture exact(DepthTriangles input, int limit) {
         return new ExactTriangles(input).picture();
     }
 
     @Override
     public Deviation compare(
-            DepthTriangles input, DepthTriangles.Shown exact, DepthTriangles.Shown actual) {
+            DepthTriangles input,
+            DepthTriangles.TrianglePicture exact,
+            DepthTriangles.TrianglePicture actual) {
         double worst = 0;
         long wrong = 0;
         String first = "";
@@ -119,7 +122,7 @@ public final class DepthTriangleTopic
 
     /** Whether rounding alone decides between what a pixel shows and what is right. */
     private static boolean mayShow(
-            DepthTriangles input, int at, int shown, DepthTriangles.Shown right) {
+            DepthTriangles input, int at, int shown, DepthTriangles.TrianglePicture right) {
         if (shown < 0 || shown > input.triangles().size()) return false;
         var exact = new ExactTriangles(input);
         if (shown > 0 && exact.again(shown - 1)) return false;
@@ -133,7 +136,8 @@ public final class DepthTriangleTopic
         return exact.depth(shown - 1, at).map(BigDecimal::doubleValue).orElse(BEHIND);
     }
 
-    private static String shown(int at, DepthTriangles.Shown exact, DepthTriangles.Shown actual) {
+    private static String shown(
+            int at, DepthTriangles.TrianglePicture exact, DepthTriangles.TrianglePicture actual) {
         return "pixel (%d, %d) shows triangle %d, right is %d, 0 is the background"
                 .formatted(
                         at % exact.width(),
@@ -142,7 +146,8 @@ public final class DepthTriangleTopic
                         exact.shown()[at]);
     }
 
-    private static String depth(int at, DepthTriangles.Shown exact, DepthTriangles.Shown actual) {
+    private static String depth(
+            int at, DepthTriangles.TrianglePicture exact, DepthTriangles.TrianglePicture actual) {
         return "depth at pixel (%d, %d) is %s, right is %s"
                 .formatted(
                         at % exact.width(),
@@ -178,7 +183,7 @@ public final class DepthTriangleTopic
     }
 
     @Override
-    public Format<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> format() {
+    public Format<DepthTriangleFiller, DepthTriangles, DepthTriangles.TrianglePicture> format() {
         return new DepthTriangleFormat(this);
     }
 }

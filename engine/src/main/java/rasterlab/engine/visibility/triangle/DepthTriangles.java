@@ -65,10 +65,10 @@ public record DepthTriangles(List<double[]> triangles, int width, int height, do
      * @param shown number of the triangle in each pixel, the first is 1; 0 where the background is
      * @param depths stored in each pixel
      */
-    public record Shown(int width, int[] shown, double[] depths) {
+    public record TrianglePicture(int width, int[] shown, double[] depths) {
         /** Fills the triangles in their order. */
-        static Shown by(DepthTriangleFiller method, DepthTriangles input) {
-            Shown picture = empty(input);
+        static TrianglePicture by(DepthTriangleFiller method, DepthTriangles input) {
+            TrianglePicture picture = empty(input);
             for (int t = 0; t < input.triangles().size(); t++)
                 method.fill(
                         input.axis(t, 0),
@@ -82,10 +82,10 @@ public record DepthTriangles(List<double[]> triangles, int width, int height, do
             return picture;
         }
 
-        static Shown empty(DepthTriangles input) {
+        static TrianglePicture empty(DepthTriangles input) {
             var depths = new double[input.pixels()];
             Arrays.fill(depths, input.background());
-            return new Shown(input.width(), new int[depths.length], depths);
+            return new TrianglePicture(input.width(), new int[depths.length], depths);
         }
     }
 }

@@ -19,8 +19,8 @@ final class ExactTriangles {
         this.input = input;
     }
 
-    DepthTriangles.Shown picture() {
-        DepthTriangles.Shown picture = DepthTriangles.Shown.empty(input);
+    DepthTriangles.TrianglePicture picture() {
+        DepthTriangles.TrianglePicture picture = DepthTriangles.TrianglePicture.empty(input);
         for (int at = 0; at < input.pixels(); at++) {
             BigDecimal nearest = new BigDecimal(input.background());
             for (int t = 0; t < input.triangles().size(); t++) {

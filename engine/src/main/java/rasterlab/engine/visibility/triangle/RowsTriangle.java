@@ -18,7 +18,7 @@ final class RowsTriangle implements DepthTriangleFiller {
             int height,
             double[] depths,
             int[] shown) {
-        var walk = new Walk(x, y, z, width, height);
+        var walk = new DepthTriangleWalk(x, y, z, width, height);
         while (walk.advance()) {
             int at = walk.y() * width + walk.x();
             if (!(walk.depth() < depths[at])) continue;
@@ -33,7 +33,7 @@ final class RowsTriangle implements DepthTriangleFiller {
      * <p>A row begins with the depth at its first pixel's centre; from then on each depth is the
      * one before and ∂z/∂x.
      */
-    static final class Walk {
+    static final class DepthTriangleWalk {
         private final TrianglePlane plane;
         private final Rows rows;
         private final double step;
@@ -41,7 +41,7 @@ final class RowsTriangle implements DepthTriangleFiller {
         private int end;
         private double depth;
 
-        Walk(double[] x, double[] y, double[] z, int width, int height) {
+        DepthTriangleWalk(double[] x, double[] y, double[] z, int width, int height) {
             plane = new TrianglePlane(x, y, z);
             rows = new Rows(x, y, width, height);
             step = plane.perColumn();

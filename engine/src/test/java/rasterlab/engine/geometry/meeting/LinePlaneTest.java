@@ -56,7 +56,9 @@ class LinePlaneTest {
             double[] through = sum(sign, from, 1, direction);
             double mu = formula.meets(normal, sign * c, start, through);
             assertEquals(expected, sign * mu, CORRECT * expected);
-            assertEquals(sign < 0 ? Line.Part.BEHIND : Line.Part.BETWEEN, Line.part(mu));
+            assertEquals(
+                    sign < 0 ? Line.PositionOnLine.BEHIND : Line.PositionOnLine.BETWEEN,
+                    Line.part(mu));
         }
     }
 

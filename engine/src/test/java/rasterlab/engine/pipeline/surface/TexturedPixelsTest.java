@@ -196,10 +196,10 @@ class TexturedPixelsTest {
     }
 
     private static PixelColors moved(TextureSampler sampler, TexelFilter filter, Matrix4d by) {
-        MinMag.Smaller smaller =
+        MinMag.MinificationFilter smaller =
                 filter == TexelFilter.MIPMAP
-                        ? MinMag.Smaller.LINEAR_MIPMAP_LINEAR
-                        : MinMag.Smaller.LINEAR;
+                        ? MinMag.MinificationFilter.LINEAR_MIPMAP_LINEAR
+                        : MinMag.MinificationFilter.LINEAR;
         return new MinMagPixels(
                 sampler,
                 new MinMag(smaller, true),

@@ -17,19 +17,31 @@ class CurveJointTest {
 
     static Stream<Arguments> joints() {
         return Stream.of(
-                argumentSet("a gap is not seen", CurveJoint.Kind.GAP, 91, 0, 120, -30, 150, -30),
-                argumentSet("a corner passes", CurveJoint.Kind.C0, 90, 0, 120, 30, 150, 30),
-                argumentSet("turning back passes", CurveJoint.Kind.C0, 90, 0, 60, 30, 30, 30),
-                argumentSet("standing still passes", CurveJoint.Kind.C0, 90, 0, 90, 0, 150, -30),
-                argumentSet("a jump in speed passes", CurveJoint.Kind.G1, 90, 0, 100, -10, 150, 0),
-                argumentSet("a jump in bend passes", CurveJoint.Kind.C1, 90, 0, 120, -30, 150, 0),
-                argumentSet("rounding is a jump", CurveJoint.Kind.C2, 90, 0, 120, -30, 150, -90));
+                argumentSet(
+                        "a gap is not seen", CurveJoint.Continuity.GAP, 91, 0, 120, -30, 150, -30),
+                argumentSet("a corner passes", CurveJoint.Continuity.C0, 90, 0, 120, 30, 150, 30),
+                argumentSet("turning back passes", CurveJoint.Continuity.C0, 90, 0, 60, 30, 30, 30),
+                argumentSet(
+                        "standing still passes", CurveJoint.Continuity.C0, 90, 0, 90, 0, 150, -30),
+                argumentSet(
+                        "a jump in speed passes",
+                        CurveJoint.Continuity.G1,
+                        90,
+                        0,
+                        100,
+                        -10,
+                        150,
+                        0),
+                argumentSet(
+                        "a jump in bend passes", CurveJoint.Continuity.C1, 90, 0, 120, -30, 150, 0),
+                argumentSet(
+                        "rounding is a jump", CurveJoint.Continuity.C2, 90, 0, 120, -30, 150, -90));
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("joints")
     void tellsHowPiecesJoin(
-            CurveJoint.Kind kind,
+            CurveJoint.Continuity kind,
             double x0,
             double y0,
             double x1,
@@ -48,8 +60,13 @@ class CurveJointTest {
         var drawn = new Curve(Curve.Kind.B_SPLINE, x, y);
         for (int span = 0; span < 2; span++) {
             assertEquals(
-                    CurveJoint.Kind.C1, joint(through, span, through, span + 1).kind(), "" + span);
-            assertEquals(CurveJoint.Kind.C2, joint(drawn, span, drawn, span + 1).kind(), "" + span);
+                    CurveJoint.Continuity.C1,
+                    joint(through, span, through, span + 1).kind(),
+                    "" + span);
+            assertEquals(
+                    CurveJoint.Continuity.C2,
+                    joint(drawn, span, drawn, span + 1).kind(),
+                    "" + span);
         }
     }
 

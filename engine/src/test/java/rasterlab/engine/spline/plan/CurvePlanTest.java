@@ -63,7 +63,7 @@ class CurvePlanTest {
             long times = 1 + random.nextInt(300);
             CurvePlan plan = plan(curves, flatness, times);
             assertEquals(3, plan.ways().size());
-            for (CurvePlan.Way way : plan.ways()) {
+            for (CurvePlan.MethodPolylines way : plan.ways()) {
                 assertTrue(way.errorPixels() <= flatness * (1 + 1e-9), way + " to " + flatness);
                 assertTrue(plan.chosen().nanos(times) <= way.nanos(times), way.toString());
                 assertTrue(plan.dearest().nanos(times) >= way.nanos(times), way.toString());

@@ -10,12 +10,13 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 class PowerFitTest {
-    private static List<PowerFit.Point> square(double noise, long seed) {
+    private static List<PowerFit.FittedPoint> square(double noise, long seed) {
         var random = new Random(seed);
-        var points = new ArrayList<PowerFit.Point>();
+        var points = new ArrayList<PowerFit.FittedPoint>();
         for (int n : new int[] {16, 64, 256, 1024, 4096})
             points.add(
-                    new PowerFit.Point(n, 3.0 * n * n * Math.exp(noise * random.nextGaussian())));
+                    new PowerFit.FittedPoint(
+                            n, 3.0 * n * n * Math.exp(noise * random.nextGaussian())));
         return points;
     }
 

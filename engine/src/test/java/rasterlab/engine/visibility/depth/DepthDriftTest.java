@@ -61,7 +61,7 @@ class DepthDriftTest {
         for (String method :
                 new String[] {"incremental-z16", "incremental-z24", "incremental-float"}) {
             SteppedDepth format = stepped(method);
-            DepthCoding.Codes codes = format.over(range);
+            DepthCoding.RangeCodes codes = format.over(range);
             codes.row(0.9, -1.2e-4, 0, LONG, row);
             DepthWalk walk = format.walk(range, 0.9, -1.2e-4, LONG);
             do assertEquals(walk.code(), row[walk.pixel()], method);
@@ -109,7 +109,7 @@ class DepthDriftTest {
 
     @Test
     void formulaOfAFormatIsWhatTheSearchFinds() {
-        for (DepthPrecision.Sample sample : DepthPrecision.samples(3))
+        for (DepthPrecision.PrecisionSample sample : DepthPrecision.samples(3))
             assertEquals(1, sample.measured() / sample.predicted(), 1e-6, sample::toString);
     }
 }

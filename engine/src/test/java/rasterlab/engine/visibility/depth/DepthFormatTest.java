@@ -31,7 +31,7 @@ class DepthFormatTest {
         return (DepthCoding) method.implementation();
     }
 
-    private static DepthCoding.Codes codes(String method, DepthRange range) {
+    private static DepthCoding.RangeCodes codes(String method, DepthRange range) {
         return coding(TOPIC.method(method)).over(range);
     }
 
@@ -55,7 +55,7 @@ class DepthFormatTest {
 
     /** 1/z in doubles may be off by 2⁻⁵² of 1/near: 10⁻⁵ steps of 32 bits are ample. */
     private static void assertRounded(
-            DepthCoding.Codes codes, double z, BigDecimal right, long seed) {
+            DepthCoding.RangeCodes codes, double z, BigDecimal right, long seed) {
         double stored = codes.stored(codes.code(1 / z));
         double off = new BigDecimal(stored).subtract(right).doubleValue();
         assertTrue(Math.abs(off) <= 0.5 + 1e-5, () -> z + " off by " + off + ", seed " + seed);
@@ -72,7 +72,7 @@ class DepthFormatTest {
     }
 
     private static void assertNearest(
-            DepthCoding.Codes codes, double z, BigDecimal right, long seed) {
+            DepthCoding.RangeCodes codes, double z, BigDecimal right, long seed) {
         float stored = (float) codes.stored(codes.code(1 / z));
         double off = new BigDecimal(stored).subtract(right).abs().doubleValue();
         double allowed = Math.ulp(stored) / 2 * (1 + 1e-6) + 1e-15;
@@ -117,7 +117,7 @@ class DepthFormatTest {
     @MethodSource("methods")
     void codesGrowWithDepth(Method<DepthFormat> method) {
         for (double far : new double[] {1.1, 10, 1e3, 1e9}) {
-            DepthCoding.Codes codes = coding(method).over(new DepthRange(1, far));
+            DepthCoding.RangeCodes codes = coding(method).over(new DepthRange(1, far));
             int last = codes.code(1);
             for (int i = 0; i <= 4000; i++) {
                 double z = Math.min(far, Math.pow(far, i / 4000.0));
@@ -133,7 +133,7 @@ class DepthFormatTest {
     @MethodSource("methods")
     void planesAreTheFirstAndTheLastCode(Method<DepthFormat> method) {
         var range = new DepthRange(0.3, 7000);
-        DepthCoding.Codes codes = coding(method).over(range);
+        DepthCoding.RangeCodes codes = coding(method).over(range);
         int first = codes.code(1 / range.near());
         int last = codes.code(1 / range.far());
         assertEquals(0.3, codes.depth(first), 1e-12);
@@ -157,7 +157,7 @@ class DepthFormatTest {
     @Test
     void withoutAFarPlaneReversedDepthTellsUnitsApartAMillionAway() {
         var range = new DepthRange(1, INFINITE);
-        DepthCoding.Codes reversed = codes("reversed-z", range);
+        DepthCoding.RangeCodes reversed = codes("reversed-z", range);
         double behind = DepthCell.of(reversed, range, 1e6).behind(range, 1e6);
         assertTrue(behind > 0 && behind < 0.13, "reversed-z: " + behind);
         double whole = DepthCell.of(codes("z24", range), range, 1e6).behind(range, 1e6);
@@ -178,7 +178,7 @@ class DepthFormatTest {
     @ParameterizedTest(name = "{0}: a row that begins later has other codes")
     @MethodSource("methods")
     void rowsBeginAtTheirFirstPixel(Method<DepthFormat> method) {
-        DepthCoding.Codes codes = coding(method).over(new DepthRange(1, 1000));
+        DepthCoding.RangeCodes codes = coding(method).over(new DepthRange(1, 1000));
         double base = 0.5;
         double perPixel = -0.001;
         var row = new int[3];

@@ -144,7 +144,7 @@ class ToldVisibilityTest {
         int steps = 0;
         int cut = 0;
         while (walk.advance()) {
-            var step = assertInstanceOf(VisibilityStep.Drawn.class, walk.step());
+            var step = assertInstanceOf(VisibilityStep.FaceDrawn.class, walk.step());
             assertEquals(++steps, step.value());
             if (walk.piece().isPresent()) cut++;
         }

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.DepthOrder;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Method;
-import rasterlab.engine.visibility.order.OrderStep.Kind;
+import rasterlab.engine.visibility.order.OrderStep.OrderStepKind;
 
 class DepthOrderTest {
     private static final DepthOrderTopic TOPIC = new DepthOrderTopic();
@@ -66,12 +66,12 @@ class DepthOrderTest {
     void newellMovesMarksAndCutsACircle() {
         var newell = (SteppedOrder) TOPIC.method("newell").implementation();
         OrderWalk walk = newell.walk(hazard("circle-of-three"), (polygon, corners) -> {});
-        var kinds = new ArrayList<Kind>();
+        var kinds = new ArrayList<OrderStepKind>();
         while (walk.advance()) kinds.add(walk.step().kind());
-        assertEquals(List.of(Kind.MOVE, Kind.CUT), kinds.subList(0, 2));
-        long cuts = kinds.stream().filter(kind -> kind == Kind.CUT).count();
+        assertEquals(List.of(OrderStepKind.MOVE, OrderStepKind.CUT), kinds.subList(0, 2));
+        long cuts = kinds.stream().filter(kind -> kind == OrderStepKind.CUT).count();
         assertEquals(cuts, walk.operations().get("splits"));
-        assertEquals(3 + cuts, kinds.stream().filter(kind -> kind == Kind.PAINT).count());
+        assertEquals(3 + cuts, kinds.stream().filter(kind -> kind == OrderStepKind.PAINT).count());
     }
 
     @Test

@@ -35,9 +35,9 @@ class DepthTriangleTest {
     @ValueSource(strings = {"rows", "weights", "slopes"})
     void nearerPixelsAloneAreWrittenWithTheDepthsOfTheirCenters(String name) {
         var input = new DepthTriangles(List.of(TALL), 10, 6, 0.625);
-        DepthTriangles.Shown picture = TOPIC.run(method(name), input, Integer.MAX_VALUE);
+        DepthTriangles.TrianglePicture picture = TOPIC.run(method(name), input, Integer.MAX_VALUE);
         int[] shown = new int[60];
-        double[] depths = DepthTriangles.Shown.empty(input).depths();
+        double[] depths = DepthTriangles.TrianglePicture.empty(input).depths();
         for (int x = 3; x <= 4; x++) depths[20 + x] = 0.55 + 0.05 * (x - 3);
         for (int x = 2; x <= 6; x++) depths[30 + x] = 0.4 + 0.05 * (x - 2);
         for (int at = 0; at < 60; at++) if (depths[at] < 0.625) shown[at] = 1;
@@ -48,7 +48,7 @@ class DepthTriangleTest {
     @Test
     void fromTheLeftEdgeARowBeginsWithAnotherDepth() {
         var input = new DepthTriangles(List.of(TALL), 10, 6, 1);
-        DepthTriangles.Shown picture =
+        DepthTriangles.TrianglePicture picture =
                 TOPIC.run(method("left-edge-textbook"), input, Integer.MAX_VALUE);
         assertEquals(0.525, picture.depths()[23], 1e-12);
     }
@@ -58,25 +58,25 @@ class DepthTriangleTest {
     void eitherOfTwoTrianglesIsRightWhereRoundingAloneDecides(
             double first, double second, boolean right) {
         DepthTriangles input = walls(first, second);
-        DepthTriangles.Shown exact = TOPIC.exact(input, Integer.MAX_VALUE);
-        var other = new DepthTriangles.Shown(1, new int[] {2}, exact.depths());
+        DepthTriangles.TrianglePicture exact = TOPIC.exact(input, Integer.MAX_VALUE);
+        var other = new DepthTriangles.TrianglePicture(1, new int[] {2}, exact.depths());
         assertEquals(right, TOPIC.correct(TOPIC.compare(input, exact, other)));
     }
 
     @Test
     void theSameCornersAgainAreNeverShown() {
         DepthTriangles input = walls(0.3, 0.3);
-        DepthTriangles.Shown exact = TOPIC.exact(input, Integer.MAX_VALUE);
+        DepthTriangles.TrianglePicture exact = TOPIC.exact(input, Integer.MAX_VALUE);
         assertArrayEquals(new int[] {1}, exact.shown());
-        var later = new DepthTriangles.Shown(1, new int[] {2}, exact.depths());
+        var later = new DepthTriangles.TrianglePicture(1, new int[] {2}, exact.depths());
         assertFalse(TOPIC.correct(TOPIC.compare(input, exact, later)));
     }
 
     @Test
     void aDepthThatIsNoNumberIsWrong() {
         DepthTriangles input = walls(0.3, 0.6);
-        DepthTriangles.Shown exact = TOPIC.exact(input, Integer.MAX_VALUE);
-        var none = new DepthTriangles.Shown(1, exact.shown(), new double[] {Double.NaN});
+        DepthTriangles.TrianglePicture exact = TOPIC.exact(input, Integer.MAX_VALUE);
+        var none = new DepthTriangles.TrianglePicture(1, exact.shown(), new double[] {Double.NaN});
         Deviation deviation = TOPIC.compare(input, exact, none);
         assertFalse(TOPIC.usable(deviation));
         assertEquals("depth at pixel (0, 0) is NaN, right is 0.3", deviation.first());
