@@ -45,11 +45,11 @@ public record Exercise(
         Map<String, StatementPicture> pictures,
         String starter,
         String revision,
-        Tolerance tolerance,
+        ExerciseTolerance tolerance,
         PointPlan points,
-        Caps caps,
+        StatedLimits caps,
         Optional<String> timed,
-        List<Group> groups,
+        List<CaseGroup> groups,
         List<Case> cases,
         Optional<Breaking> breaking,
         Optional<Predicting> predicting,
@@ -80,7 +80,7 @@ public record Exercise(
             Map<String, StatementPicture> pictures,
             String starter,
             String revision,
-            Tolerance tolerance,
+            ExerciseTolerance tolerance,
             PointPlan points,
             List<Case> cases) {
         this(
@@ -93,7 +93,7 @@ public record Exercise(
                 revision,
                 tolerance,
                 points,
-                Caps.NONE,
+                StatedLimits.NONE,
                 Optional.empty(),
                 List.of(),
                 cases,
@@ -109,11 +109,11 @@ public record Exercise(
             Map<String, StatementPicture> pictures,
             String starter,
             String revision,
-            Tolerance tolerance,
+            ExerciseTolerance tolerance,
             PointPlan points,
-            Caps caps,
+            StatedLimits caps,
             Optional<String> timed,
-            List<Group> groups,
+            List<CaseGroup> groups,
             List<Case> cases,
             Optional<Breaking> breaking) {
         this(
@@ -139,13 +139,13 @@ public record Exercise(
     }
 
     /** The form of what is handed in. */
-    public Form form() {
-        if (predicting.isPresent()) return Form.PREDICT;
-        return breaking.isPresent() ? Form.BREAK : Form.WRITE;
+    public TaskKind form() {
+        if (predicting.isPresent()) return TaskKind.PREDICT;
+        return breaking.isPresent() ? TaskKind.BREAK : TaskKind.WRITE;
     }
 
     /** The group that a case belongs to; empty where it stands alone. */
-    public Optional<Group> group(Case one) {
+    public Optional<CaseGroup> group(Case one) {
         return groups.stream().filter(group -> group.name().equals(one.group())).findFirst();
     }
 
@@ -200,16 +200,16 @@ public record Exercise(
      * @param truth the topic's method whose answers are the right ones; where it is not given, the
      *     topic's exact answers are
      */
-    public record Tolerance(
+    public record ExerciseTolerance(
             boolean eitherPixelOnTies, OptionalDouble worst, Optional<String> truth) {
         /** The topic's own bound; either pixel of a tie where that is said. */
-        public Tolerance(boolean eitherPixelOnTies) {
+        public ExerciseTolerance(boolean eitherPixelOnTies) {
             this(eitherPixelOnTies, OptionalDouble.empty(), Optional.empty());
         }
 
         /** The topic's own bound around the same right answers. */
-        public Tolerance strict() {
-            return new Tolerance(false, OptionalDouble.empty(), truth);
+        public ExerciseTolerance strict() {
+            return new ExerciseTolerance(false, OptionalDouble.empty(), truth);
         }
     }
 
@@ -220,9 +220,9 @@ public record Exercise(
      * @param bytes of the answer
      * @param processor time
      */
-    public record Caps(OptionalInt items, OptionalInt bytes, Optional<Duration> processor) {
-        public static final Caps NONE =
-                new Caps(OptionalInt.empty(), OptionalInt.empty(), Optional.empty());
+    public record StatedLimits(OptionalInt items, OptionalInt bytes, Optional<Duration> processor) {
+        public static final StatedLimits NONE =
+                new StatedLimits(OptionalInt.empty(), OptionalInt.empty(), Optional.empty());
 
         /** The most items that can be stated. */
         public static final int MOST_ITEMS = Wire.MOST_ITEMS - 1;
@@ -272,8 +272,8 @@ public record Exercise(
      * @param mistakes codes of causes that cost points here, and only here where they are found
      *     here
      */
-    public record Group(String name, Map<String, String> title, Set<String> mistakes) {
-        public Group {
+    public record CaseGroup(String name, Map<String, String> title, Set<String> mistakes) {
+        public CaseGroup {
             title = Map.copyOf(title);
             mistakes = Set.copyOf(mistakes);
         }
@@ -301,7 +301,7 @@ public record Exercise(
             String name,
             Map<String, String> title,
             String group,
-            Kind kind,
+            Criterion kind,
             Disclosure visibility,
             int points,
             String input,
@@ -311,7 +311,7 @@ public record Exercise(
         public Case(
                 String name,
                 Map<String, String> title,
-                Kind kind,
+                Criterion kind,
                 Disclosure visibility,
                 int points,
                 String input,
@@ -334,7 +334,7 @@ public record Exercise(
     }
 
     /** The task of a student, which decides what is handed in. */
-    public enum Form {
+    public enum TaskKind {
         /** Writes a method, in Java. */
         WRITE("java", "text/x-java-source"),
         /** Finds inputs on which faulty methods fail, as JSON. */
@@ -345,7 +345,7 @@ public record Exercise(
         private final String ending;
         private final String mediaType;
 
-        Form(String ending, String mediaType) {
+        TaskKind(String ending, String mediaType) {
             this.ending = ending;
             this.mediaType = mediaType;
         }
@@ -391,7 +391,7 @@ public record Exercise(
     }
 
     /** The points that a case earns. */
-    public enum Kind {
+    public enum Criterion {
         ACCURACY,
         STABILITY
     }

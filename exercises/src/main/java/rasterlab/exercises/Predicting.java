@@ -28,10 +28,10 @@ public record Predicting(
         int least,
         int most,
         List<String> told,
-        List<Asked> asked,
+        List<PredictedField> asked,
         double tolerance,
         Map<String, String> unit,
-        Reason reason,
+        DecisionValue reason,
         String inputs) {
     /** The bounds of {@link #steps}. */
     public static final int FEWEST_STEPS = 10;
@@ -60,8 +60,8 @@ public record Predicting(
      *
      * @param words that it may have; none where it is no word
      */
-    public record Asked(String field, List<String> words) {
-        public Asked {
+    public record PredictedField(String field, List<String> words) {
+        public PredictedField {
             words = List.copyOf(words);
         }
     }
@@ -73,8 +73,8 @@ public record Predicting(
      * @param field of that step; empty where the words say it all
      * @param words what the value is and what it decides, by language code
      */
-    public record Reason(boolean before, Optional<String> field, Map<String, String> words) {
-        public Reason {
+    public record DecisionValue(boolean before, Optional<String> field, Map<String, String> words) {
+        public DecisionValue {
             words = Map.copyOf(words);
         }
 

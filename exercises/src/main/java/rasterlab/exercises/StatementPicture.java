@@ -12,13 +12,13 @@ import rasterlab.exercises.score.PictureBytes;
 /** A picture of a statement: a file as it is, or one that is drawn by what a file tells. */
 public final class StatementPicture {
     /** The formats that a picture's file can have. */
-    public enum Form {
+    public enum PictureFormat {
         PNG("image/png"),
         SVG("image/svg+xml");
 
         private final String mediaType;
 
-        Form(String mediaType) {
+        PictureFormat(String mediaType) {
             this.mediaType = mediaType;
         }
 
@@ -31,7 +31,7 @@ public final class StatementPicture {
         }
 
         /** The form that a file's name tells; empty for another one. */
-        static Optional<Form> of(String file) {
+        static Optional<PictureFormat> of(String file) {
             return Stream.of(values()).filter(form -> file.endsWith(form.ending())).findFirst();
         }
 
@@ -48,12 +48,13 @@ public final class StatementPicture {
         (byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'
     };
 
-    private final Form form;
+    private final PictureFormat form;
     private final String file;
     private final byte[] kept;
     private final Supplier<PictureBytes> content;
 
-    private StatementPicture(Form form, String file, byte[] kept, Supplier<PictureBytes> content) {
+    private StatementPicture(
+            PictureFormat form, String file, byte[] kept, Supplier<PictureBytes> content) {
         this.form = form;
         this.file = file;
         this.kept = kept;
@@ -68,12 +69,12 @@ public final class StatementPicture {
      * @param png draws it, in each language
      */
     public static StatementPicture drawn(String file, byte[] kept, Supplier<PictureBytes> png) {
-        return new StatementPicture(Form.PNG, file, kept.clone(), new Once(png));
+        return new StatementPicture(PictureFormat.PNG, file, kept.clone(), new Once(png));
     }
 
     /** The endings of files that can be pictures. */
     public static List<String> endings() {
-        return Stream.of(Form.values()).map(Form::ending).toList();
+        return Stream.of(PictureFormat.values()).map(PictureFormat::ending).toList();
     }
 
     /**
@@ -81,8 +82,8 @@ public final class StatementPicture {
      * @throws CatalogueException if the name or the content is of no known form
      */
     public static StatementPicture of(String file, byte[] content) {
-        Form form =
-                Form.of(file)
+        PictureFormat form =
+                PictureFormat.of(file)
                         .orElseThrow(
                                 () ->
                                         new CatalogueException(
@@ -96,7 +97,7 @@ public final class StatementPicture {
         return new StatementPicture(form, file, own, () -> PictureBytes.alike(own));
     }
 
-    public Form form() {
+    public PictureFormat form() {
         return form;
     }
 

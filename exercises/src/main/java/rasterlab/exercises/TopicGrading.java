@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
@@ -39,7 +39,7 @@ public interface TopicGrading {
      * @param seed draws those of a generated case
      * @throws CatalogueException when the case's input is not what the topic reads
      */
-    List<Call> calls(Case one, Tolerance tolerance, long seed);
+    List<GradedCall> calls(Case one, ExerciseTolerance tolerance, long seed);
 
     /** Codes of the mistakes that this topic can tell, which a group of cases may claim. */
     Set<String> mistakes();
@@ -98,7 +98,7 @@ public interface TopicGrading {
      *
      * @param inputs of the topic, at least one
      */
-    Timing timing(List<?> inputs);
+    TimingInputs timing(List<?> inputs);
 
     /**
      * Limits beyond which a call is stopped.
@@ -108,18 +108,18 @@ public interface TopicGrading {
      * @param processor time of all that the call makes a method do; where it is not given, as much
      *     as the judge allows
      */
-    record Caps(int items, int bytes, Optional<Duration> processor) {
+    record CallLimits(int items, int bytes, Optional<Duration> processor) {
         /** Caps the items at a number, and allows as much else as can be taken. */
-        public static Caps ofItems(long items) {
-            return new Caps(
-                    (int) Math.min(items, Exercise.Caps.MOST_ITEMS),
-                    Exercise.Caps.MOST_BYTES,
+        public static CallLimits ofItems(long items) {
+            return new CallLimits(
+                    (int) Math.min(items, Exercise.StatedLimits.MOST_ITEMS),
+                    Exercise.StatedLimits.MOST_BYTES,
                     Optional.empty());
         }
 
         /** These limits with those that an exercise states; items become fewer at most. */
-        public Caps within(Exercise.Caps stated) {
-            return new Caps(
+        public CallLimits within(Exercise.StatedLimits stated) {
+            return new CallLimits(
                     Math.min(items, stated.items().orElse(items)),
                     stated.bytes().orElse(bytes),
                     stated.processor().or(() -> processor));
@@ -127,8 +127,8 @@ public interface TopicGrading {
     }
 
     /** One input, and what a method answers to it. */
-    interface Call {
-        Caps caps();
+    interface GradedCall {
+        CallLimits caps();
 
         /** Number of items of the right answer, as far as it is looked at. */
         long items();
@@ -207,7 +207,7 @@ public interface TopicGrading {
          * The call on the one input whose answer is not right, where several are asked for; else
          * this one.
          */
-        default Call inQuestion(Answer answer) {
+        default GradedCall inQuestion(Answer answer) {
             return this;
         }
 
@@ -228,7 +228,7 @@ public interface TopicGrading {
          * This call on smaller inputs, of which one that goes wrong too may be told in this one's
          * place; none where only this input is asked for.
          */
-        default Stream<Call> smaller() {
+        default Stream<GradedCall> smaller() {
             return Stream.empty();
         }
 
@@ -256,11 +256,11 @@ public interface TopicGrading {
     /** Makes inputs to time a method on. */
     interface Timings {
         /** New ones, unlike all before. */
-        Timing next();
+        TimingInputs next();
     }
 
     /** A batch of inputs to time a method on. */
-    interface Timing {
+    interface TimingInputs {
         /** Number of inputs. */
         int inputs();
 
@@ -302,7 +302,7 @@ public interface TopicGrading {
          *
          * @return their codes; empty where nothing that is known explains them
          */
-        Optional<Set<String>> mistakes(Told told);
+        Optional<Set<String>> mistakes(TimedAnswers told);
     }
 
     /**
@@ -312,5 +312,5 @@ public interface TopicGrading {
      * @param sum of them
      * @param looked the answer to the input that is looked at
      */
-    record Told(long count, long sum, Optional<Object> looked) {}
+    record TimedAnswers(long count, long sum, Optional<Object> looked) {}
 }

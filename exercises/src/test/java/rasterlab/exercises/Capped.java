@@ -1,12 +1,12 @@
 package rasterlab.exercises;
 
-import rasterlab.exercises.Exercise.Caps;
+import rasterlab.exercises.Exercise.StatedLimits;
 
 /** Exercises that state other limits than their own. */
 public final class Capped {
     private Capped() {}
 
-    public static Exercise with(Exercise one, Caps caps) {
+    public static Exercise with(Exercise one, StatedLimits caps) {
         return new Exercise(
                 one.id(),
                 one.topic(),

@@ -116,13 +116,13 @@ class Classroom(
                 mapOf("dot.svg" to StatementPicture.of("dot.svg", DOT.toByteArray())),
                 "public class Dot {}\n",
                 "r1",
-                Exercise.Tolerance(true),
+                Exercise.ExerciseTolerance(true),
                 Exercise.PointPlan(6, 3, 1),
                 listOf(
                     Exercise.Case(
                         "open-case",
                         mapOf("en" to "one pixel", "ru" to "один пиксель"),
-                        Exercise.Kind.ACCURACY,
+                        Exercise.Criterion.ACCURACY,
                         Disclosure.OPEN,
                         5,
                         "{}",

@@ -11,7 +11,7 @@ import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.CourseServer.Patience;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.predicting.HandedAnswers;
 import rasterlab.exercises.predicting.SheetText;
 
@@ -22,7 +22,7 @@ import rasterlab.exercises.predicting.SheetText;
 public record Beginning(Exercise exercise, Optional<Account> account, Patience patience) {
     /** The text that needs no server; of a sheet another one at each call. */
     static String here(Exercise exercise) {
-        return exercise.form() == Form.PREDICT
+        return exercise.form() == TaskKind.PREDICT
                 ? SheetText.open(exercise, SheetText.freshSeed())
                 : exercise.starter();
     }
@@ -36,7 +36,7 @@ public record Beginning(Exercise exercise, Optional<Account> account, Patience p
             Consumer<String> take,
             Consumer<Notice> tell,
             BiConsumer<Background.Task, Consumer<IOException>> begin) {
-        if (exercise.form() != Form.PREDICT || account.isEmpty()) take.accept(here(exercise));
+        if (exercise.form() != TaskKind.PREDICT || account.isEmpty()) take.accept(here(exercise));
         else begin.accept(asked(take), refused(tell));
     }
 

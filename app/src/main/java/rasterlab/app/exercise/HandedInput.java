@@ -33,7 +33,7 @@ public final class HandedInput {
 
     /** Returns the new source: a lab's input beside those before, or a whole sheet of answers. */
     static String taken(Exercise exercise, String source, String json) {
-        return exercise.form() == Exercise.Form.BREAK ? added(exercise, source, json) : json;
+        return exercise.form() == Exercise.TaskKind.BREAK ? added(exercise, source, json) : json;
     }
 
     private static List<String> inputs(String source) {

@@ -16,7 +16,7 @@ import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.Following;
 import rasterlab.app.server.ServerReport;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.published.PublishedCase;
 import rasterlab.exercises.published.PublishedDiagnostic;
 import rasterlab.exercises.published.PublishedPicture;
@@ -44,19 +44,19 @@ final class Submitting {
 
     private final CourseServer server;
     private final String token;
-    private final Form form;
+    private final TaskKind form;
     private final boolean late;
 
     /** Hands in Java sources. */
     Submitting(CourseServer server, String token) {
-        this(server, token, Form.WRITE);
+        this(server, token, TaskKind.WRITE);
     }
 
-    Submitting(CourseServer server, String token, Form form) {
+    Submitting(CourseServer server, String token, TaskKind form) {
         this(server, token, form, false);
     }
 
-    private Submitting(CourseServer server, String token, Form form, boolean late) {
+    private Submitting(CourseServer server, String token, TaskKind form, boolean late) {
         this.server = server;
         this.token = token;
         this.form = form;
@@ -71,7 +71,7 @@ final class Submitting {
     }
 
     /** Hands in what an exercise of that form is answered by, on the account. */
-    static Submitting to(Account account, CourseServer.Patience patience, Form form) {
+    static Submitting to(Account account, CourseServer.Patience patience, TaskKind form) {
         return new Submitting(new CourseServer(account.server(), patience), account.token(), form);
     }
 

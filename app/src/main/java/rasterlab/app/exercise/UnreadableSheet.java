@@ -5,7 +5,7 @@ import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.predicting.HandedAnswers;
 
 /**
@@ -27,7 +27,7 @@ final class UnreadableSheet extends IOException {
      * @throws UnreadableSheet if it is none
      */
     static void check(Exercise exercise, String text) throws UnreadableSheet {
-        if (exercise.form() == Form.PREDICT) read(exercise, text);
+        if (exercise.form() == TaskKind.PREDICT) read(exercise, text);
     }
 
     /**

@@ -69,10 +69,10 @@ public final class FoundCases implements OwnChips.Offer {
     }
 
     private static int seed(MethodCase scene) {
-        return scene.found().map(MethodCase.Found::seed).orElse(0);
+        return scene.found().map(MethodCase.SearchFinding::seed).orElse(0);
     }
 
-    private static Optional<Verdict.Kind> verdict(MethodCase.Found found) {
+    private static Optional<Verdict.Kind> verdict(MethodCase.SearchFinding found) {
         return Stream.of(Verdict.Kind.values())
                 .filter(kind -> kind.code().equals(found.verdict()))
                 .findFirst();

@@ -15,7 +15,7 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
 import rasterlab.app.practice.Board.Named;
 import rasterlab.app.practice.Board.Target;
-import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.predicting.Question;
 import rasterlab.exercises.predicting.StepText;
 
@@ -43,7 +43,7 @@ final class AnswerForm extends JPanel {
         removeAll();
         parts.clear();
         boolean alone = question.rules().asked().size() == 1;
-        for (Asked asked : question.rules().asked()) {
+        for (PredictedField asked : question.rules().asked()) {
             String field = asked.field();
             String name = names.label(field);
             AnswerPart part = part(asked, name, question.right().path(field), board, alone);
@@ -58,14 +58,19 @@ final class AnswerForm extends JPanel {
     }
 
     private AnswerPart part(
-            Asked asked, String name, JsonNode right, Optional<Board> board, boolean alone) {
+            PredictedField asked,
+            String name,
+            JsonNode right,
+            Optional<Board> board,
+            boolean alone) {
         List<JsonNode> values = choices(asked, right, board);
         if (values.isEmpty()) return new NumbersPart(asked.field(), right, name, confirmed);
         List<String> words = values.stream().map(value -> names.word(value.asText())).toList();
         return new ChoicePart(asked.field(), values, words, alone ? confirmed : () -> {});
     }
 
-    private static List<JsonNode> choices(Asked asked, JsonNode right, Optional<Board> board) {
+    private static List<JsonNode> choices(
+            PredictedField asked, JsonNode right, Optional<Board> board) {
         if (!asked.words().isEmpty())
             return asked.words().stream().<JsonNode>map(TextNode::valueOf).toList();
         if (right.isBoolean()) return List.of(BooleanNode.TRUE, BooleanNode.FALSE);

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.predicting.Sheet;
 
@@ -39,7 +39,7 @@ public final class PracticeExercises {
         return catalogue.ids().stream()
                 .sorted(Comparator.comparing(id -> !id.equals(usual)))
                 .map(catalogue::named)
-                .filter(one -> one.form() == Form.PREDICT && one.topic().equals(topic))
+                .filter(one -> one.form() == TaskKind.PREDICT && one.topic().equals(topic))
                 .findFirst();
     }
 }

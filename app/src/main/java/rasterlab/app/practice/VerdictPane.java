@@ -11,7 +11,7 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.language.Texts;
-import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.predicting.StepText;
 
 /** Says whether the last answer was right, what is right, and why. */
@@ -42,7 +42,8 @@ final class VerdictPane extends JPanel {
                 last.question().reason().filter(JsonNode::isTextual).map(JsonNode::asText);
         var words = new StepText(topic, texts.locale());
         if (line.isPresent()) said = said.replace(line.get(), words.word(line.get()));
-        List<String> fields = last.question().rules().asked().stream().map(Asked::field).toList();
+        List<String> fields =
+                last.question().rules().asked().stream().map(PredictedField::field).toList();
         say(sentence(words.named(words.localised(said), fields)));
         setVisible(true);
     }

@@ -59,8 +59,8 @@ public final class ServerReport {
         }
     }
 
-    private static SpeedFigures.Method method(JsonNode one) {
-        return new SpeedFigures.Method(text(one, "name"), ratio(one), error(one));
+    private static SpeedFigures.MethodSpeed method(JsonNode one) {
+        return new SpeedFigures.MethodSpeed(text(one, "name"), ratio(one), error(one));
     }
 
     /** A ratio with its interval, of which an older server tells nothing. */

@@ -127,7 +127,7 @@ class SubmittedPicturesTest {
                             2.5,
                             2,
                             Double.POSITIVE_INFINITY,
-                            List.of(new SpeedFigures.Method("dda", 3, 0.5))),
+                            List.of(new SpeedFigures.MethodSpeed("dda", 3, 0.5))),
                     outcome.speed().orElseThrow().figures());
         }
     }

@@ -23,7 +23,7 @@ class FoundHazardsTest {
                 Optional.of("dda"),
                 "{\"from\":[0,0],\"to\":[%d,1]}".formatted(x),
                 Optional.empty(),
-                Optional.of(new MethodCase.Found("wrong", 5)));
+                Optional.of(new MethodCase.SearchFinding("wrong", 5)));
     }
 
     private FoundHazards all() {

@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** The buttons and fields beside the picture, laid out as a window of 1280×800 does it. */
@@ -71,7 +71,7 @@ class ChoicesInSightTest {
         return Catalogue.builtIn().ids().stream()
                 .filter(id -> id.startsWith("predict-"))
                 .map(Catalogue.builtIn()::named)
-                .filter(one -> one.form() == Form.PREDICT)
+                .filter(one -> one.form() == TaskKind.PREDICT)
                 .map(Exercise::topic);
     }
 

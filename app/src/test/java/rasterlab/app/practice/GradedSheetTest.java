@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.predicting.HandedAnswers;
 import rasterlab.exercises.predicting.Question;
@@ -168,7 +168,7 @@ class GradedSheetTest {
 
     static List<String> exercises() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Form.PREDICT)
+                .filter(one -> one.form() == TaskKind.PREDICT)
                 .map(Exercise::id)
                 .toList();
     }

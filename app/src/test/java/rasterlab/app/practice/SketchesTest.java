@@ -30,7 +30,7 @@ import rasterlab.app.practice.Board.Run;
 import rasterlab.app.practice.Sketch.Walked;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.predicting.Question;
 
@@ -43,7 +43,7 @@ class SketchesTest {
 
     static Stream<String> drawn() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Form.PREDICT)
+                .filter(one -> one.form() == TaskKind.PREDICT)
                 .map(Exercise::topic);
     }
 

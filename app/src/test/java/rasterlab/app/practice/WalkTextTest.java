@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 
 class WalkTextTest {
@@ -42,7 +42,7 @@ class WalkTextTest {
 
     static Stream<String> topics() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Form.PREDICT)
+                .filter(one -> one.form() == TaskKind.PREDICT)
                 .map(Exercise::topic);
     }
 

@@ -105,7 +105,7 @@ class CaseOpeningTest {
     void casesOfEveryExerciseAreShown() {
         shown();
         for (Exercise exercise : Catalogue.builtIn().all()) {
-            if (exercise.form() != Exercise.Form.WRITE) continue;
+            if (exercise.form() != Exercise.TaskKind.WRITE) continue;
             TopicGrading grading = TopicGradings.of(exercise);
             assertEquals(Optional.empty(), opening.obstacleToInputs(exercise.topic()));
             for (Exercise.Case one : exercise.cases())

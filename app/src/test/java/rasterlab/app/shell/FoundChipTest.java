@@ -35,7 +35,7 @@ class FoundChipTest {
                                 Optional.of(method),
                                 input,
                                 Optional.empty(),
-                                Optional.of(new MethodCase.Found("wrong", 5))));
+                                Optional.of(new MethodCase.SearchFinding("wrong", 5))));
     }
 
     private interface Use {

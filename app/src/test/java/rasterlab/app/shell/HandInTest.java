@@ -27,7 +27,7 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** Inputs for 'break it', handed in from the labs. */
@@ -61,7 +61,7 @@ class HandInTest {
     }
 
     private static Stream<Exercise> breaking() {
-        return Catalogue.builtIn().all().stream().filter(one -> one.form() == Form.BREAK);
+        return Catalogue.builtIn().all().stream().filter(one -> one.form() == TaskKind.BREAK);
     }
 
     @ParameterizedTest(name = "{0}: another input is handed in than its lab shows")

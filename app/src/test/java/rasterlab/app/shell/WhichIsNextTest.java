@@ -44,7 +44,7 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Hazard;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.predicting.HandedAnswers;
 import rasterlab.exercises.predicting.Question;
@@ -81,7 +81,7 @@ class WhichIsNextTest {
         return Catalogue.builtIn().ids().stream()
                 .filter(id -> id.startsWith("predict-"))
                 .map(id -> Catalogue.builtIn().named(id))
-                .filter(one -> one.form() == Form.PREDICT)
+                .filter(one -> one.form() == TaskKind.PREDICT)
                 .map(one -> one.topic());
     }
 

@@ -14,7 +14,7 @@ import java.util.Set;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.judging.MethodsOnInput;
-import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.judging.MethodsOnInput.MethodResult;
 import rasterlab.exercises.score.Phrase;
 
 /**
@@ -55,19 +55,19 @@ public final class BreakMain {
         MethodsOnInput<?, ?, ?> methods =
                 MethodsOnInput.of(
                         topic, Phrase.of("break.input"), new String(input, StandardCharsets.UTF_8));
-        List<Tried> right = methods.right();
+        List<MethodResult> right = methods.right();
         write(right, out);
         write(agree(right) ? methods.faulty(names) : new ArrayList<>(), out);
         return bytes.toByteArray();
     }
 
-    private static boolean agree(List<Tried> right) {
-        return right.stream().noneMatch(Tried::failed);
+    private static boolean agree(List<MethodResult> right) {
+        return right.stream().noneMatch(MethodResult::failed);
     }
 
-    private static void write(List<Tried> all, DataOutputStream out) throws IOException {
+    private static void write(List<MethodResult> all, DataOutputStream out) throws IOException {
         out.writeInt(all.size());
-        for (Tried one : all) {
+        for (MethodResult one : all) {
             out.writeUTF(one.method());
             out.writeUTF(one.kind().name());
             Frames.write(out, one.said().data().getBytes(StandardCharsets.UTF_8));

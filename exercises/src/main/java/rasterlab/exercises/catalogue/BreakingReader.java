@@ -12,9 +12,9 @@ import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Breaking;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.Exercise.PointPlan;
-import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.Hint;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
@@ -80,9 +80,9 @@ final class BreakingReader {
                         pictures,
                         starter.orElseThrow(),
                         Revision.of(folder.read()),
-                        new Tolerance(false),
+                        new ExerciseTolerance(false),
                         new PointPlan(Exercise.MOST_POINTS, 0, 0),
-                        Exercise.Caps.NONE,
+                        Exercise.StatedLimits.NONE,
                         Optional.empty(),
                         List.of(),
                         cases(topic.get(), targets, breaking.orElseThrow()),
@@ -128,7 +128,7 @@ final class BreakingReader {
     }
 
     private static Case open(String name, Map<String, String> titles, int points) {
-        return new Case(name, titles, Kind.ACCURACY, Disclosure.OPEN, points, "{}", false);
+        return new Case(name, titles, Criterion.ACCURACY, Disclosure.OPEN, points, "{}", false);
     }
 
     /** The targets; what is wrong with each is kept, and the sum is asked of right ones alone. */

@@ -45,24 +45,27 @@ final class CapsCheck {
      * Checks the same, where each limit that is too low is kept, with the first case that shows it.
      */
     static void check(ExerciseFolder folder, Exercise exercise, Faults faults) {
-        if (exercise.form() != Exercise.Form.WRITE) return;
+        if (exercise.form() != Exercise.TaskKind.WRITE) return;
         CapsCheck check = new CapsCheck(folder, exercise);
-        Exercise.Caps caps = exercise.caps();
+        Exercise.StatedLimits caps = exercise.caps();
         faults.checked(
                 () ->
                         check.hold(
                                 "items",
                                 "field.caps.items",
                                 caps.items(),
-                                TopicGrading.Call::items));
+                                TopicGrading.GradedCall::items));
         faults.checked(() -> check.hold("bytes", "field.caps.bytes", caps.bytes(), check::bytes));
     }
 
     private void hold(
-            String field, String key, OptionalInt most, ToLongFunction<TopicGrading.Call> needed) {
+            String field,
+            String key,
+            OptionalInt most,
+            ToLongFunction<TopicGrading.GradedCall> needed) {
         if (most.isEmpty()) return;
         for (Case one : exercise.cases())
-            for (TopicGrading.Call call : topic.calls(one, exercise.tolerance(), 0)) {
+            for (TopicGrading.GradedCall call : topic.calls(one, exercise.tolerance(), 0)) {
                 long least = needed.applyAsLong(call);
                 if (least > most.getAsInt())
                     throw ExerciseReader.wrong(
@@ -73,7 +76,7 @@ final class CapsCheck {
     }
 
     /** Counts the bytes of the longest right answer to one call of those that an input takes. */
-    private long bytes(TopicGrading.Call call) {
+    private long bytes(TopicGrading.GradedCall call) {
         var right = new MeasuredMethod(contract, topic.right(), call.caps().items());
         try {
             call.recorded(right.proxy(), call.caps().items());

@@ -10,8 +10,8 @@ import java.util.Set;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.Criterion;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
@@ -95,7 +95,8 @@ final class CaseReader {
                         : Optional.of(Map.<String, String>of());
         Optional<String> group =
                 fields.has("group") ? faults.tried(() -> fields.word("group", groups)) : name;
-        Optional<Kind> kind = faults.tried(() -> Kind.valueOf(word(fields, "kind", KINDS)));
+        Optional<Criterion> kind =
+                faults.tried(() -> Criterion.valueOf(word(fields, "kind", KINDS)));
         Optional<Disclosure> visibility =
                 faults.tried(() -> Disclosure.valueOf(word(fields, "visibility", VISIBILITIES)));
         Optional<Integer> points =
@@ -111,7 +112,7 @@ final class CaseReader {
                         name.get(),
                         titles.orElse(Map.of()),
                         group.orElse(name.get()),
-                        kind.orElse(Kind.ACCURACY),
+                        kind.orElse(Criterion.ACCURACY),
                         visibility.orElse(Disclosure.NEVER),
                         points.orElse(0),
                         asked.get().data(),
@@ -186,7 +187,7 @@ final class CaseReader {
     private void check(JsonFields fields, Case one) {
         if (folder.tested()) return;
         try {
-            topic.ifPresent(known -> known.calls(one, new Tolerance(false), 0));
+            topic.ifPresent(known -> known.calls(one, new ExerciseTolerance(false), 0));
         } catch (CatalogueException e) {
             throw fields.wrong("", Phrase.of("field.unusable", e.said()));
         }

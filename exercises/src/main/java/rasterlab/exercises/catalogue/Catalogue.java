@@ -91,13 +91,13 @@ public final class Catalogue {
      * @param exercise empty where there are faults
      * @param parts what can be looked at also then
      */
-    public record Reading(
+    public record FolderReading(
             Optional<Exercise> exercise, List<CatalogueException> faults, FolderParts parts) {}
 
     /** Reads the folder of one exercise, with all that is wrong in it. */
-    public static Reading read(Path folder) {
+    public static FolderReading read(Path folder) {
         if (!Files.isDirectory(folder))
-            return new Reading(
+            return new FolderReading(
                     Optional.empty(),
                     List.of(
                             new CatalogueException(

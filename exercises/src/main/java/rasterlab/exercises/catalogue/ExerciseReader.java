@@ -20,14 +20,14 @@ import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Caps;
 import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.CaseGroup;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Exercise.Evidence;
-import rasterlab.exercises.Exercise.Form;
-import rasterlab.exercises.Exercise.Group;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.Exercise.PointPlan;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.StatedLimits;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.Hint;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.json.Faults;
@@ -65,9 +65,11 @@ final class ExerciseReader {
             Field.required("worst", Shape.number(0, Double.MAX_VALUE));
 
     private static final Field<Double> SECONDS =
-            Field.required("seconds", Shape.number(Caps.LEAST_SECONDS, Caps.MOST_SECONDS));
+            Field.required(
+                    "seconds", Shape.number(StatedLimits.LEAST_SECONDS, StatedLimits.MOST_SECONDS));
 
-    private static final List<String> FORMS = Stream.of(Form.values()).map(Form::code).toList();
+    private static final List<String> FORMS =
+            Stream.of(TaskKind.values()).map(TaskKind::code).toList();
 
     private final ExerciseFolder folder;
     private final Faults faults = new Faults();
@@ -89,11 +91,11 @@ final class ExerciseReader {
     }
 
     /** The exercise and all faults, of which there are none where it can be taken. */
-    Catalogue.Reading reading() {
+    Catalogue.FolderReading reading() {
         Optional<Exercise> read = tried();
         if (faults.all().isEmpty()) CapsCheck.check(folder, read.orElseThrow(), faults);
         FolderParts parts = FolderParts.of(folder, fields, faults);
-        return new Catalogue.Reading(
+        return new Catalogue.FolderReading(
                 faults.all().isEmpty() ? read : Optional.empty(), faults.all(), parts);
     }
 
@@ -127,22 +129,22 @@ final class ExerciseReader {
     private Optional<Exercise> tried(String id, JsonFields fields) {
         Optional<String> form = form(fields, faults);
         if (form.isEmpty()) return Optional.empty();
-        if (form.get().equals(Form.BREAK.code()))
+        if (form.get().equals(TaskKind.BREAK.code()))
             return new BreakingReader(folder, fields, faults).read();
-        if (form.get().equals(Form.PREDICT.code()))
+        if (form.get().equals(TaskKind.PREDICT.code()))
             return new PredictingReader(folder, fields, faults).read();
         return written(id, fields);
     }
 
     /** The code of the form; empty where it is unknown, which is kept. */
     static Optional<String> form(JsonFields fields, Faults faults) {
-        return faults.tried(() -> fields.word("kind", FORMS, Form.WRITE.code()));
+        return faults.tried(() -> fields.word("kind", FORMS, TaskKind.WRITE.code()));
     }
 
     private Optional<Exercise> written(String id, JsonFields fields) {
         Optional<TopicGrading> topic = faults.tried(() -> grading(fields));
         Optional<PointPlan> points = points(fields);
-        List<Group> groups = new GroupReader(faults).read(fields, topic);
+        List<CaseGroup> groups = new GroupReader(faults).read(fields, topic);
         int before = faults.all().size();
         List<Case> cases = cases(fields, topic, groups);
         // without a case that cannot be read the sums say nothing
@@ -207,7 +209,8 @@ final class ExerciseReader {
                 : Optional.empty();
     }
 
-    private List<Case> cases(JsonFields fields, Optional<TopicGrading> topic, List<Group> groups) {
+    private List<Case> cases(
+            JsonFields fields, Optional<TopicGrading> topic, List<CaseGroup> groups) {
         return faults.tried(() -> InputTemplates.read(fields))
                 .map(
                         shapes ->
@@ -235,8 +238,8 @@ final class ExerciseReader {
     }
 
     /** The limits; empty where one is wrong, all of which are kept. */
-    private Optional<Caps> stated(JsonFields fields) {
-        if (!fields.has("caps")) return Optional.of(Caps.NONE);
+    private Optional<StatedLimits> stated(JsonFields fields) {
+        if (!fields.has("caps")) return Optional.of(StatedLimits.NONE);
         return faults.tried(() -> fields.object("caps", "items", "bytes", "seconds"))
                 .flatMap(this::caps);
     }
@@ -267,15 +270,15 @@ final class ExerciseReader {
     }
 
     /** An error is stated with its unit, so that nobody takes pixels for shares. */
-    private static Tolerance tolerance(JsonFields exercise, TopicGrading topic) {
+    private static ExerciseTolerance tolerance(JsonFields exercise, TopicGrading topic) {
         Optional<String> truth = truth(exercise, topic);
         JsonFields fields = tolerances(exercise);
         boolean either = fields.flag("eitherPixelOnTies", false);
         if (!fields.has("worst") && !fields.has("unit"))
-            return new Tolerance(either, OptionalDouble.empty(), truth);
+            return new ExerciseTolerance(either, OptionalDouble.empty(), truth);
         if (topic.unit().isEmpty()) throw fields.wrong("worst", Phrase.of("field.no-tolerance"));
         fields.word("unit", List.of(topic.unit().get()));
-        return new Tolerance(either, OptionalDouble.of(fields.get(WORST)), truth);
+        return new ExerciseTolerance(either, OptionalDouble.of(fields.get(WORST)), truth);
     }
 
     private static Optional<String> truth(JsonFields fields, TopicGrading topic) {
@@ -284,12 +287,12 @@ final class ExerciseReader {
         return Optional.of(fields.word("truth", topic.truths()));
     }
 
-    private Optional<Caps> caps(JsonFields fields) {
-        var items = faults.tried(() -> whole(fields, "items", Caps.MOST_ITEMS));
-        var bytes = faults.tried(() -> whole(fields, "bytes", Caps.MOST_BYTES));
+    private Optional<StatedLimits> caps(JsonFields fields) {
+        var items = faults.tried(() -> whole(fields, "items", StatedLimits.MOST_ITEMS));
+        var bytes = faults.tried(() -> whole(fields, "bytes", StatedLimits.MOST_BYTES));
         var seconds = faults.tried(() -> seconds(fields));
         return items.isPresent() && bytes.isPresent() && seconds.isPresent()
-                ? Optional.of(new Caps(items.get(), bytes.get(), seconds.get()))
+                ? Optional.of(new StatedLimits(items.get(), bytes.get(), seconds.get()))
                 : Optional.empty();
     }
 
@@ -367,11 +370,11 @@ final class ExerciseReader {
     }
 
     private void checkSums(List<Case> cases, PointPlan points) {
-        faults.checked(() -> checkSum(cases, Kind.ACCURACY, points.accuracy()));
-        faults.checked(() -> checkSum(cases, Kind.STABILITY, points.stability()));
+        faults.checked(() -> checkSum(cases, Criterion.ACCURACY, points.accuracy()));
+        faults.checked(() -> checkSum(cases, Criterion.STABILITY, points.stability()));
     }
 
-    private void checkSum(List<Case> cases, Kind kind, int planned) {
+    private void checkSum(List<Case> cases, Criterion kind, int planned) {
         int sum = cases.stream().filter(one -> one.kind() == kind).mapToInt(Case::points).sum();
         if (sum != planned)
             throw wrong(folder, "cases", Phrase.of("field.cases." + kindName(kind), sum, planned));
@@ -385,7 +388,7 @@ final class ExerciseReader {
                         reason));
     }
 
-    private static String kindName(Kind kind) {
+    private static String kindName(Criterion kind) {
         return kind.name().toLowerCase(Locale.ROOT);
     }
 }

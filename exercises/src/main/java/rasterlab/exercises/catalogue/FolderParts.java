@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rasterlab.engine.Topics;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.StatementPicture;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
@@ -70,7 +70,7 @@ public record FolderParts(
 
     private static boolean isWritten(JsonFields fields) {
         return ExerciseReader.form(fields, new Faults())
-                .filter(Form.WRITE.code()::equals)
+                .filter(TaskKind.WRITE.code()::equals)
                 .isPresent();
     }
 

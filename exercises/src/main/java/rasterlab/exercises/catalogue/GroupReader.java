@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import rasterlab.exercises.Exercise.Group;
+import rasterlab.exercises.Exercise.CaseGroup;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
@@ -23,8 +23,8 @@ final class GroupReader {
     /**
      * @param topic empty where it is not known: then no mistake is looked at
      */
-    List<Group> read(JsonFields exercise, Optional<TopicGrading> topic) {
-        List<Group> groups = new ArrayList<>();
+    List<CaseGroup> read(JsonFields exercise, Optional<TopicGrading> topic) {
+        List<CaseGroup> groups = new ArrayList<>();
         Set<String> names = new HashSet<>();
         List<JsonFields> objects =
                 faults.tried(() -> exercise.objects("groups", "name", "title", "mistakes"))
@@ -34,7 +34,7 @@ final class GroupReader {
     }
 
     /** A group; empty where something is wrong, all of which is kept. */
-    private Optional<Group> group(
+    private Optional<CaseGroup> group(
             JsonFields fields, Set<String> names, Optional<TopicGrading> topic) {
         Optional<String> name = faults.tried(() -> name(fields, names));
         var titles = ExerciseReader.titles(fields, faults);
@@ -43,7 +43,7 @@ final class GroupReader {
                         ? Optional.of(Set.of())
                         : faults.tried(() -> mistakes(fields, topic.get()));
         return name.isPresent() && titles.isPresent() && mistakes.isPresent()
-                ? Optional.of(new Group(name.get(), titles.get(), mistakes.get()))
+                ? Optional.of(new CaseGroup(name.get(), titles.get(), mistakes.get()))
                 : Optional.empty();
     }
 
@@ -63,7 +63,7 @@ final class GroupReader {
         return mistakes;
     }
 
-    static List<String> names(List<Group> groups) {
-        return groups.stream().map(Group::name).toList();
+    static List<String> names(List<CaseGroup> groups) {
+        return groups.stream().map(CaseGroup::name).toList();
     }
 }

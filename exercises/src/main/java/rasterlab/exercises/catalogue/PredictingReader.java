@@ -9,13 +9,13 @@ import java.util.Set;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Exercise.Evidence;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.Exercise.PointPlan;
-import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.Hint;
 import rasterlab.exercises.Predicting;
-import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.predicting.Question;
@@ -77,9 +77,9 @@ final class PredictingReader {
                         pictures,
                         SheetText.open(folder.id(), drawn.get().sheet()),
                         revision,
-                        new Tolerance(false),
+                        new ExerciseTolerance(false),
                         new PointPlan(Exercise.MOST_POINTS, 0, 0),
-                        Exercise.Caps.NONE,
+                        Exercise.StatedLimits.NONE,
                         Optional.empty(),
                         List.of(),
                         cases(rules.steps()),
@@ -127,7 +127,8 @@ final class PredictingReader {
         List<String> known = new ArrayList<>();
         question.step().fieldNames().forEachRemaining(known::add);
         for (String told : question.rules().told()) check(data, "told", known, told);
-        for (Asked asked : question.rules().asked()) check(data, "ask", known, asked.field());
+        for (PredictedField asked : question.rules().asked())
+            check(data, "ask", known, asked.field());
         question.rules().reason().field().ifPresent(one -> check(data, "reason", known, one));
     }
 
@@ -149,7 +150,7 @@ final class PredictingReader {
                     new Case(
                             Predicting.step(number),
                             titles,
-                            Kind.ACCURACY,
+                            Criterion.ACCURACY,
                             Disclosure.OPEN,
                             Exercise.MOST_POINTS / steps + more,
                             "{}",

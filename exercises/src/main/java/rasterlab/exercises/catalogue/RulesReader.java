@@ -11,8 +11,8 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.study.Method;
 import rasterlab.exercises.Predicting;
-import rasterlab.exercises.Predicting.Asked;
-import rasterlab.exercises.Predicting.Reason;
+import rasterlab.exercises.Predicting.DecisionValue;
+import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.score.Phrase;
@@ -51,7 +51,7 @@ final class RulesReader {
         var shown = faults.tried(() -> data.integer("shown", 0, MOST_SHOWN, 0));
         var lengths = lengths(steps.orElse(Predicting.MOST_STEPS));
         var told = faults.tried(() -> data.has("told") ? data.texts("told") : List.<String>of());
-        List<Asked> asked = asked();
+        List<PredictedField> asked = asked();
         var tolerance = faults.tried(() -> data.has("tolerance") ? data.get(TOLERANCE) : 0.0);
         var unit = data.has("unit") ? texts("unit") : Optional.of(Map.<String, String>of());
         var reason = reason();
@@ -93,8 +93,8 @@ final class RulesReader {
                         });
     }
 
-    private List<Asked> asked() {
-        List<Asked> asked = new ArrayList<>();
+    private List<PredictedField> asked() {
+        List<PredictedField> asked = new ArrayList<>();
         List<JsonFields> given =
                 faults.tried(() -> data.objects("ask", "field", "words")).orElse(List.of());
         if (given.isEmpty()) faults.keep(data.wrong("ask", Phrase.of("field.missing")));
@@ -102,22 +102,24 @@ final class RulesReader {
             var field = faults.tried(() -> one.text("field"));
             var words =
                     faults.tried(() -> one.has("words") ? one.texts("words") : List.<String>of());
-            field.ifPresent(name -> words.ifPresent(all -> asked.add(new Asked(name, all))));
+            field.ifPresent(
+                    name -> words.ifPresent(all -> asked.add(new PredictedField(name, all))));
         }
         return asked;
     }
 
-    private Optional<Reason> reason() {
+    private Optional<DecisionValue> reason() {
         return faults.tried(() -> data.object("reason", "step", "field", "en", "ru"))
                 .flatMap(this::reason);
     }
 
-    private Optional<Reason> reason(JsonFields all) {
+    private Optional<DecisionValue> reason(JsonFields all) {
         var step = faults.tried(() -> all.word("step", List.of("before", "same")));
         Optional<String> field =
                 all.has("field") ? faults.tried(() -> all.text("field")) : Optional.empty();
         var texts = ExerciseReader.texts(all, faults);
-        return step.flatMap(one -> texts.map(in -> new Reason(one.equals("before"), field, in)));
+        return step.flatMap(
+                one -> texts.map(in -> new DecisionValue(one.equals("before"), field, in)));
     }
 
     private String inputs() {

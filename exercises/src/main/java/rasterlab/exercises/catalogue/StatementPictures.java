@@ -12,11 +12,11 @@ import java.util.regex.Pattern;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.Criterion;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.StatementPicture;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.graded.RightPicture;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.score.Disclosure;
@@ -98,12 +98,13 @@ final class StatementPictures {
     private StatementPicture drawn(String topic, String source) {
         byte[] content = folder.content(source);
         var input = new String(content, StandardCharsets.UTF_8);
-        var shown = new Case(source, Map.of(), Kind.ACCURACY, Disclosure.OPEN, 0, input, false);
-        List<Call> calls = grading(topic).calls(shown, new Tolerance(false), 0);
+        var shown =
+                new Case(source, Map.of(), Criterion.ACCURACY, Disclosure.OPEN, 0, input, false);
+        List<GradedCall> calls = grading(topic).calls(shown, new ExerciseTolerance(false), 0);
         return StatementPicture.drawn(source, content, () -> drawn(topic, calls.get(0)));
     }
 
-    private static PictureBytes drawn(String topic, Call one) {
+    private static PictureBytes drawn(String topic, GradedCall one) {
         return new RightPicture(Topics.named(topic).format(), one.input(), one.exact()).drawn();
     }
 }

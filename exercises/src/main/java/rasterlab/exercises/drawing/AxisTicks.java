@@ -13,13 +13,13 @@ import java.util.List;
  *
  * @param note such as {@code ·10³⁰⁰ + 2·10³⁰⁷}; empty where labels are the numbers themselves
  */
-record AxisTicks(List<Tick> ticks, String note) {
+record AxisTicks(List<AxisTick> ticks, String note) {
     /**
      * A round number.
      *
      * @param value the double next to it
      */
-    record Tick(double value, String label) {}
+    record AxisTick(double value, String label) {}
 
     /** Four digits, or a leading 1 and four: what lies around a power of ten. */
     private static final BigInteger LONGEST = BigInteger.valueOf(19_999);
@@ -69,10 +69,10 @@ record AxisTicks(List<Tick> ticks, String note) {
                         && exponent <= LARGEST_PLAIN
                         && number(longestLabel, exponent).compareTo(TOO_LONG) < 0;
         int power = plain ? 0 : exponent + longestLabel.toString().length() - 1;
-        var ticks = new ArrayList<Tick>();
+        var ticks = new ArrayList<AxisTick>();
         for (int i = 0; i < labels.size(); i++)
             ticks.add(
-                    new Tick(
+                    new AxisTick(
                             number(multiples.get(i), exponent).doubleValue(),
                             NumberText.inPicture(
                                     number(labels.get(i), exponent - power).toPlainString())));

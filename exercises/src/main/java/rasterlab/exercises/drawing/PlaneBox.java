@@ -3,7 +3,7 @@ package rasterlab.exercises.drawing;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
-import rasterlab.exercises.drawing.PlaneFigure.Form;
+import rasterlab.exercises.drawing.PlaneFigure.FigureKind;
 
 /**
  * The part of the plane that a picture shows.
@@ -92,6 +92,6 @@ record PlaneBox(AxisRange x, AxisRange y, boolean sameScale) {
     }
 
     private static boolean isWindow(PlaneFigure figure) {
-        return figure.form() == Form.WINDOW;
+        return figure.form() == FigureKind.WINDOW;
     }
 }

@@ -3,7 +3,7 @@ package rasterlab.exercises.drawing;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.exercises.drawing.PlaneFigure.Form;
+import rasterlab.exercises.drawing.PlaneFigure.FigureKind;
 
 /**
  * The expected and the actual figures, matched. Two figures agree where their points do within a
@@ -22,7 +22,7 @@ final class PlaneComparison {
      * @param expected a vertex of the expected figure
      * @param actual the one that the actual figure has instead
      */
-    record Difference(CasePoint expected, CasePoint actual) {}
+    record VertexDifference(CasePoint expected, CasePoint actual) {}
 
     private final double tolerance;
     private final List<PlaneFigure> agreeing = new ArrayList<>();
@@ -69,7 +69,7 @@ final class PlaneComparison {
      * Where the first missing figure and the extra one that is most like it differ; empty where no
      * extra one has its form and number of points.
      */
-    Optional<Difference> first() {
+    Optional<VertexDifference> first() {
         if (missing.isEmpty()) return Optional.empty();
         PlaneFigure figure = missing.get(0);
         List<CasePoint> closest = null;
@@ -87,10 +87,10 @@ final class PlaneComparison {
         return closest == null ? Optional.empty() : first(figure.points(), closest);
     }
 
-    private Optional<Difference> first(List<CasePoint> expected, List<CasePoint> actual) {
+    private Optional<VertexDifference> first(List<CasePoint> expected, List<CasePoint> actual) {
         for (int i = 0; i < expected.size(); i++)
             if (!expected.get(i).isNear(actual.get(i), tolerance))
-                return Optional.of(new Difference(expected.get(i), actual.get(i)));
+                return Optional.of(new VertexDifference(expected.get(i), actual.get(i)));
         return Optional.empty();
     }
 
@@ -125,10 +125,12 @@ final class PlaneComparison {
     /** The points in every order that makes the same figure. */
     private static List<List<CasePoint>> orders(PlaneFigure figure) {
         List<CasePoint> points = figure.points();
-        if (figure.form() == Form.POINT || points.size() < 2) return List.of(points);
+        if (figure.form() == FigureKind.POINT || points.size() < 2) return List.of(points);
         var orders = new ArrayList<List<CasePoint>>();
         int starts =
-                figure.form() == Form.POLYGON && points.size() <= MOST_TURNED ? points.size() : 1;
+                figure.form() == FigureKind.POLYGON && points.size() <= MOST_TURNED
+                        ? points.size()
+                        : 1;
         for (int start = 0; start < starts; start++) {
             orders.add(new Turned(points, start, 1));
             orders.add(new Turned(points, start + points.size() - 1, -1));

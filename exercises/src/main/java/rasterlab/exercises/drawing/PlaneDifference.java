@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import rasterlab.exercises.drawing.PlaneFigure.Form;
+import rasterlab.exercises.drawing.PlaneFigure.FigureKind;
 
 /**
  * Draws the difference of two sets of figures: what agrees whole and dark, what is missing dashed
@@ -87,7 +87,7 @@ final class PlaneDifference {
             if (painter.isOut(each)) {
                 painter.arrow(each.vertices(), color);
                 marks.mark(g, view.nearestPlace(each.vertices().get(0)), areExtra);
-            } else if (each.form() == Form.POINT) {
+            } else if (each.form() == FigureKind.POINT) {
                 Point2D place = view.corners(each).get(0);
                 if (!isNear(place, shared, slack)) marks.mark(g, place, areExtra);
             }
@@ -98,7 +98,7 @@ final class PlaneDifference {
     private void corners(
             PlanePainter painter, PlaneFigure figure, List<Point2D> shared, boolean isExtra) {
         for (Point2D place : painter.dotted(figure)) {
-            boolean point = figure.form() == Form.POINT;
+            boolean point = figure.form() == FigureKind.POINT;
             if (isNear(place, shared, slack)) painter.dot(place, point, Ink.EXPECTED);
             else if (isExtra) painter.dot(place, point, Ink.EXTRA);
             else painter.ring(place, point, Ink.MISSING);
@@ -168,7 +168,7 @@ final class PlaneDifference {
 
     private List<Point2D> points(List<PlaneFigure> some) {
         return some.stream()
-                .filter(each -> each.form() == Form.POINT)
+                .filter(each -> each.form() == FigureKind.POINT)
                 .flatMap(each -> view.corners(each).stream())
                 .toList();
     }

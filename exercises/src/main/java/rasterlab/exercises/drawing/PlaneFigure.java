@@ -11,9 +11,9 @@ import java.util.List;
  * @param points one of a point, two of a segment, the vertices of a polygon in order, two opposite
  *     corners of a window
  */
-public record PlaneFigure(Form form, List<CasePoint> points) {
+public record PlaneFigure(FigureKind form, List<CasePoint> points) {
     /** The kinds of figure. */
-    public enum Form {
+    public enum FigureKind {
         POINT,
         SEGMENT,
         POLYGON,
@@ -37,16 +37,17 @@ public record PlaneFigure(Form form, List<CasePoint> points) {
     }
 
     public static PlaneFigure point(double x, double y) {
-        return new PlaneFigure(Form.POINT, List.of(new CasePoint(x, y)));
+        return new PlaneFigure(FigureKind.POINT, List.of(new CasePoint(x, y)));
     }
 
     public static PlaneFigure segment(double x0, double y0, double x1, double y1) {
-        return new PlaneFigure(Form.SEGMENT, List.of(new CasePoint(x0, y0), new CasePoint(x1, y1)));
+        return new PlaneFigure(
+                FigureKind.SEGMENT, List.of(new CasePoint(x0, y0), new CasePoint(x1, y1)));
     }
 
     public static PlaneFigure window(double xmin, double ymin, double xmax, double ymax) {
         return new PlaneFigure(
-                Form.WINDOW, List.of(new CasePoint(xmin, ymin), new CasePoint(xmax, ymax)));
+                FigureKind.WINDOW, List.of(new CasePoint(xmin, ymin), new CasePoint(xmax, ymax)));
     }
 
     /**
@@ -64,7 +65,7 @@ public record PlaneFigure(Form form, List<CasePoint> points) {
         var points = new ArrayList<CasePoint>();
         for (int i = 0; i < coordinates.length; i += 2)
             points.add(new CasePoint(coordinates[i], coordinates[i + 1]));
-        return new PlaneFigure(Form.POLYGON, points);
+        return new PlaneFigure(FigureKind.POLYGON, points);
     }
 
     boolean isFinite() {
@@ -73,7 +74,7 @@ public record PlaneFigure(Form form, List<CasePoint> points) {
 
     /** The vertices in order; of a window its four corners. */
     List<CasePoint> vertices() {
-        if (form != Form.WINDOW) return points;
+        if (form != FigureKind.WINDOW) return points;
         CasePoint one = points.get(0);
         CasePoint other = points.get(1);
         return List.of(
@@ -84,11 +85,11 @@ public record PlaneFigure(Form form, List<CasePoint> points) {
     List<PlaneFigure> edges() {
         var edges = new ArrayList<PlaneFigure>();
         List<CasePoint> vertices = vertices();
-        int count = form == Form.POINT ? 0 : form == Form.SEGMENT ? 1 : vertices.size();
+        int count = form == FigureKind.POINT ? 0 : form == FigureKind.SEGMENT ? 1 : vertices.size();
         for (int i = 0; i < count; i++)
             edges.add(
                     new PlaneFigure(
-                            Form.SEGMENT,
+                            FigureKind.SEGMENT,
                             List.of(vertices.get(i), vertices.get((i + 1) % vertices.size()))));
         return edges;
     }

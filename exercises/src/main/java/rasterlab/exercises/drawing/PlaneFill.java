@@ -4,7 +4,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
-import rasterlab.exercises.drawing.PlaneFigure.Form;
+import rasterlab.exercises.drawing.PlaneFigure.FigureKind;
 
 /**
  * Fills what polygons cover, pixel by pixel: pale where expected and actual ones both do, hatched
@@ -51,7 +51,7 @@ final class PlaneFill {
         Graphics2D g = mask.createGraphics();
         g.setColor(Color.WHITE);
         for (PlaneFigure each : figures)
-            if (each.form() == Form.POLYGON && each.isFinite()) g.fill(view.inside(each));
+            if (each.form() == FigureKind.POLYGON && each.isFinite()) g.fill(view.inside(each));
         g.dispose();
         return mask.getRaster().getSamples(0, 0, width, height, 0, (int[]) null);
     }

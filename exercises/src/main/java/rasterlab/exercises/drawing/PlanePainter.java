@@ -8,7 +8,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.List;
-import rasterlab.exercises.drawing.PlaneFigure.Form;
+import rasterlab.exercises.drawing.PlaneFigure.FigureKind;
 
 /** Draws figures of the plane into a picture, each cut to the plot. */
 final class PlanePainter {
@@ -38,7 +38,7 @@ final class PlanePainter {
     void fills(List<PlaneFigure> figures, Color color) {
         g.setColor(Ink.pale(color));
         for (PlaneFigure each : figures)
-            if (each.form() == Form.POLYGON && each.isFinite()) g.fill(view.inside(each));
+            if (each.form() == FigureKind.POLYGON && each.isFinite()) g.fill(view.inside(each));
     }
 
     /** Draws edges and points, and arrows to figures beyond the plot. */
@@ -78,7 +78,7 @@ final class PlanePainter {
 
     /** The places of a figure's vertices in the plot that get a dot. */
     List<Point2D> dotted(PlaneFigure figure) {
-        boolean bare = figure.form() == Form.WINDOW || figure.points().size() > MOST_DOTS;
+        boolean bare = figure.form() == FigureKind.WINDOW || figure.points().size() > MOST_DOTS;
         return bare ? List.of() : view.corners(figure);
     }
 
@@ -104,7 +104,7 @@ final class PlanePainter {
 
     /** Dots on points, ends and vertices. */
     void dots(PlaneFigure figure, Color color) {
-        for (Point2D place : dotted(figure)) dot(place, figure.form() == Form.POINT, color);
+        for (Point2D place : dotted(figure)) dot(place, figure.form() == FigureKind.POINT, color);
     }
 
     /** Whether a finite figure has points, but none in the plot. */

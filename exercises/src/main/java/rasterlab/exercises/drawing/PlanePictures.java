@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import rasterlab.exercises.drawing.ThreePictures.Drawn;
+import rasterlab.exercises.drawing.ThreePictures.DrawnPicture;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.PictureBytes;
 
@@ -85,11 +85,12 @@ public final class PlanePictures {
         var comparison = new PlaneComparison(expected, actual, tolerance);
         var texts = new PlaneTexts(view, given);
         return ThreePictures.of(
-                new Drawn(
+                new DrawnPicture(
                         png(other, it -> it.one(it.expected, Ink.EXPECTED)),
                         texts.expected(expected)),
-                new Drawn(png(other, it -> it.one(it.actual, Ink.ACTUAL)), texts.actual(actual)),
-                new Drawn(
+                new DrawnPicture(
+                        png(other, it -> it.one(it.actual, Ink.ACTUAL)), texts.actual(actual)),
+                new DrawnPicture(
                         png(other, it -> it.difference(comparison)), texts.difference(comparison)));
     }
 

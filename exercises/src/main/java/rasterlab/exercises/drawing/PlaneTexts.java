@@ -57,7 +57,9 @@ final class PlaneTexts {
     /** The figures that are there but run the other way; nothing where none does. */
     private Message turned(List<PlaneFigure> figures) {
         List<PlaneFigure> segments =
-                figures.stream().filter(one -> one.form() == PlaneFigure.Form.SEGMENT).toList();
+                figures.stream()
+                        .filter(one -> one.form() == PlaneFigure.FigureKind.SEGMENT)
+                        .toList();
         int others = figures.size() - segments.size();
         Message said =
                 segments.isEmpty()
@@ -125,7 +127,7 @@ final class PlaneTexts {
     }
 
     private Message first(PlaneComparison figures) {
-        Optional<PlaneComparison.Difference> first = figures.first();
+        Optional<PlaneComparison.VertexDifference> first = figures.first();
         if (first.isPresent()) {
             CasePoint expected = first.get().expected();
             CasePoint actual = first.get().actual();

@@ -8,7 +8,7 @@ import java.awt.font.FontRenderContext;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.stream.Stream;
-import rasterlab.exercises.drawing.AxisTicks.Tick;
+import rasterlab.exercises.drawing.AxisTicks.AxisTick;
 
 /** Draws the plot's border, a pale grid, and the labels of both axes around it. */
 final class PlotAxes {
@@ -43,7 +43,7 @@ final class PlotAxes {
         this.language = language;
         y = AxisTicks.of(box.y(), Math.max(FEWEST, PlaneToPixels.height(box) / Y_DISTANCE));
         int left = NARROWEST_LEFT;
-        for (Tick tick : y.ticks())
+        for (AxisTick tick : y.ticks())
             left = Math.max(left, (int) Math.ceil(width(text(tick.label()))) + 2 * SPACE);
         int top = SPACE + LINE + (y.note().isEmpty() ? 0 : LINE / 2);
         view = new PlaneToPixels(box, up, left, top);
@@ -79,12 +79,12 @@ final class PlotAxes {
     void paint(Graphics2D g) {
         Rectangle2D plot = view.plot();
         g.setStroke(new BasicStroke(1));
-        for (Tick tick : x.ticks()) {
+        for (AxisTick tick : x.ticks()) {
             double place = view.x(tick.value());
             g.setColor(tick.value() == 0 ? ZERO : Ink.GRID);
             g.draw(new Line2D.Double(place, plot.getMinY(), place, plot.getMaxY() + 4));
         }
-        for (Tick tick : y.ticks()) {
+        for (AxisTick tick : y.ticks()) {
             double place = view.y(tick.value());
             g.setColor(tick.value() == 0 ? ZERO : Ink.GRID);
             g.draw(new Line2D.Double(plot.getMinX() - 4, place, plot.getMaxX(), place));
@@ -111,13 +111,13 @@ final class PlotAxes {
         double below = plot.getMaxY() + LINE;
         g.setColor(Ink.LABEL);
         g.setFont(FONT);
-        for (Tick tick : x.ticks())
+        for (AxisTick tick : x.ticks())
             write(
                     g,
                     text(tick.label()),
                     view.x(tick.value()) - width(text(tick.label())) / 2,
                     below);
-        for (Tick tick : y.ticks())
+        for (AxisTick tick : y.ticks())
             write(
                     g,
                     text(tick.label()),
@@ -142,7 +142,7 @@ final class PlotAxes {
                         axis ->
                                 Stream.concat(
                                         Stream.of(axis.note()),
-                                        axis.ticks().stream().map(Tick::label)))
+                                        axis.ticks().stream().map(AxisTick::label)))
                 .anyMatch(NumberText::hasFraction);
     }
 

@@ -8,7 +8,7 @@ import java.util.Optional;
  */
 final class TableComparison {
     /** How a cell of the actual table stands to the expected one. */
-    enum State {
+    enum CellState {
         /** The cell that neither table has. */
         ABSENT,
         RIGHT,
@@ -22,7 +22,7 @@ final class TableComparison {
     }
 
     /** A place in both tables, from 0. */
-    record Cell(int row, int column) {}
+    record TableCell(int row, int column) {}
 
     private final double[][] expected;
     private final double[][] actual;
@@ -47,26 +47,26 @@ final class TableComparison {
         return most;
     }
 
-    State state(int row, int column) {
+    CellState state(int row, int column) {
         boolean wanted = has(expected, row, column);
-        if (!has(actual, row, column)) return wanted ? State.MISSING : State.ABSENT;
-        if (!wanted) return State.EXTRA;
+        if (!has(actual, row, column)) return wanted ? CellState.MISSING : CellState.ABSENT;
+        if (!wanted) return CellState.EXTRA;
         return agreement.holds(row, column, expected[row][column], actual[row][column])
-                ? State.RIGHT
-                : State.WRONG;
+                ? CellState.RIGHT
+                : CellState.WRONG;
     }
 
     /** The first cell, row by row, that is wrong, missing or extra. */
-    Optional<Cell> firstWrong() {
+    Optional<TableCell> firstWrong() {
         int columns = columns();
         for (int row = 0; row < rows(); row++)
             for (int column = 0; column < columns; column++)
-                if (state(row, column).isWrong()) return Optional.of(new Cell(row, column));
+                if (state(row, column).isWrong()) return Optional.of(new TableCell(row, column));
         return Optional.empty();
     }
 
     /** Number of cells in that state. */
-    int count(State state) {
+    int count(CellState state) {
         int columns = columns();
         int count = 0;
         for (int row = 0; row < rows(); row++)
@@ -96,7 +96,7 @@ final class TableComparison {
 
     private String written(double[][] table, int row, int column) {
         int digits =
-                state(row, column) == State.WRONG
+                state(row, column) == CellState.WRONG
                         ? NumberText.telling(expected[row][column], actual[row][column])
                         : NumberText.USUAL_DIGITS;
         return NumberText.of(table[row][column], digits);

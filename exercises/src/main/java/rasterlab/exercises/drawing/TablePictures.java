@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import rasterlab.exercises.drawing.TableComparison.Cell;
-import rasterlab.exercises.drawing.TableComparison.State;
-import rasterlab.exercises.drawing.ThreePictures.Drawn;
+import rasterlab.exercises.drawing.TableComparison.CellState;
+import rasterlab.exercises.drawing.TableComparison.TableCell;
+import rasterlab.exercises.drawing.ThreePictures.DrawnPicture;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.PictureBytes;
@@ -34,7 +34,7 @@ public final class TablePictures {
     private TablePictures(TableComparison table, TableLabels labels) {
         this.table = table;
         this.labels = labels;
-        Cell center = table.firstWrong().orElse(new Cell(0, 0));
+        TableCell center = table.firstWrong().orElse(new TableCell(0, 0));
         rows = ShownRange.around(center.row(), MOST_ROWS, table.rows());
         ShownRange fitting = null;
         TableSheet drawn = null;
@@ -65,13 +65,13 @@ public final class TablePictures {
 
     private List<CasePicture> drawn() {
         return ThreePictures.of(
-                new Drawn(
+                new DrawnPicture(
                         png(one -> one.numbers(table::expected, Ink.EXPECTED)),
                         numbersSaid(table::expected)),
-                new Drawn(
+                new DrawnPicture(
                         png(one -> one.numbers(table::actual, Ink.ACTUAL)),
                         numbersSaid(table::actual)),
-                new Drawn(png(TableSheet::difference), differenceSaid()));
+                new DrawnPicture(png(TableSheet::difference), differenceSaid()));
     }
 
     private PictureBytes png(Function<TableSheet, BufferedImage> drawing) {
@@ -122,17 +122,17 @@ public final class TablePictures {
 
     private Message differenceSaid() {
         if (table.firstWrong().isEmpty()) return Message.of("drawing.same");
-        int right = table.count(State.RIGHT);
-        int wrong = table.count(State.WRONG);
-        int missing = table.count(State.MISSING);
-        int extra = table.count(State.EXTRA);
+        int right = table.count(CellState.RIGHT);
+        int wrong = table.count(CellState.WRONG);
+        int missing = table.count(CellState.MISSING);
+        int extra = table.count(CellState.EXTRA);
         Message said = Message.of("drawing.table.wrong", wrong, right + wrong + missing);
         if (missing > 0) said = said.and(Message.of("drawing.table.missing", missing));
         if (extra > 0) said = said.and(Message.of("drawing.table.extra", extra));
         return said.and(firstSaid(table.firstWrong().orElseThrow()));
     }
 
-    private Message firstSaid(Cell cell) {
+    private Message firstSaid(TableCell cell) {
         String row = labels.row(cell.row());
         String column = labels.column(cell.column());
         String expected = table.expected(cell.row(), cell.column());

@@ -11,7 +11,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import rasterlab.engine.raster.PixelMark;
-import rasterlab.exercises.drawing.TableComparison.State;
+import rasterlab.exercises.drawing.TableComparison.CellState;
 
 /** Draws the shown part of a table; all three pictures of a comparison on sheets of one size. */
 final class TableSheet {
@@ -169,19 +169,21 @@ final class TableSheet {
     }
 
     private void difference(Graphics2D g, int row, int column) {
-        State state =
-                isGap(row, column) ? State.ABSENT : table.state(rows.get(row), columns.get(column));
+        CellState state =
+                isGap(row, column)
+                        ? CellState.ABSENT
+                        : table.state(rows.get(row), columns.get(column));
         number(g, row, column, table::difference, state.isWrong() ? Ink.EXPECTED : Ink.LABEL);
         if (!state.isWrong()) return;
         Rectangle2D cell = cell(row, column);
         double side = ROW_HEIGHT - 10.0;
         double left = cell.getX() + 5;
         double top = cell.getY() + 5;
-        if (state == State.MISSING) PixelMark.MISSING.paint(g, left, top, side);
-        if (state == State.EXTRA) PixelMark.EXTRA.paint(g, left, top, side);
+        if (state == CellState.MISSING) PixelMark.MISSING.paint(g, left, top, side);
+        if (state == CellState.EXTRA) PixelMark.EXTRA.paint(g, left, top, side);
         g.setColor(PixelMark.COLOR);
         g.setStroke(new BasicStroke(2));
-        if (state == State.WRONG) unequal(g, left, top, side);
+        if (state == CellState.WRONG) unequal(g, left, top, side);
         g.draw(
                 new Rectangle2D.Double(
                         cell.getX() + 2, cell.getY() + 2, cell.getWidth() - 4, ROW_HEIGHT - 4.0));

@@ -11,7 +11,8 @@ final class ThreePictures {
     private ThreePictures() {}
 
     /** The pictures as a report keeps them, in this order. */
-    static List<CasePicture> of(Drawn expected, Drawn actual, Drawn difference) {
+    static List<CasePicture> of(
+            DrawnPicture expected, DrawnPicture actual, DrawnPicture difference) {
         return List.of(
                 expected.called(CasePicture.EXPECTED),
                 actual.called(CasePicture.ACTUAL),
@@ -23,7 +24,7 @@ final class ThreePictures {
      *
      * @param text tells what it shows to people who do not see it
      */
-    record Drawn(PictureBytes png, Message text) {
+    record DrawnPicture(PictureBytes png, Message text) {
         private CasePicture called(String kind) {
             return new CasePicture(kind, png, text, Optional.empty());
         }

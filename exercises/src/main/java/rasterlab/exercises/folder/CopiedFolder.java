@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /**
@@ -17,7 +17,7 @@ public final class CopiedFolder {
     private CopiedFolder() {}
 
     /** The topics of the course's exercises of that form, in its order. */
-    public static List<String> topics(Form form) {
+    public static List<String> topics(TaskKind form) {
         return Catalogue.builtIn().all().stream()
                 .filter(one -> one.form() == form)
                 .map(Exercise::topic)
@@ -30,7 +30,7 @@ public final class CopiedFolder {
      *
      * @param id of the new exercise, which its texts name
      */
-    public static Optional<Map<String, byte[]>> files(String topic, Form form, String id) {
+    public static Optional<Map<String, byte[]>> files(String topic, TaskKind form, String id) {
         Catalogue catalogue = Catalogue.builtIn();
         return catalogue.all().stream()
                 .filter(one -> one.form() == form && one.topic().equals(topic))

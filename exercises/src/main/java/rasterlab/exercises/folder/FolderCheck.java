@@ -39,7 +39,7 @@ public final class FolderCheck {
      */
     public static List<Phrase> faults(Path folder) {
         FolderCheck check = new FolderCheck(folder);
-        Catalogue.Reading read = Catalogue.read(folder);
+        Catalogue.FolderReading read = Catalogue.read(folder);
         read.faults().stream().map(CatalogueException::said).forEach(check.faults::add);
         FolderParts parts = read.parts();
         check.checkTitles(parts.titles());
@@ -48,7 +48,7 @@ public final class FolderCheck {
         check.checkPictures(parts.pictures());
         check.checkSources(parts);
         read.exercise()
-                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                 .ifPresent(check::checkTiming);
         return List.copyOf(check.faults);
     }

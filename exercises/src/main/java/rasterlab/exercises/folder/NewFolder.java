@@ -99,7 +99,7 @@ public final class NewFolder {
         return hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
     }
 
-    private boolean isRightForNothing(TopicGrading.Call call) {
+    private boolean isRightForNothing(TopicGrading.GradedCall call) {
         return call.check(TriedMethod.answer(call, Nothing.of(grading.contract()))).right();
     }
 
@@ -156,18 +156,18 @@ public final class NewFolder {
         }
     }
 
-    private List<TopicGrading.Call> calls(String hazard) {
+    private List<TopicGrading.GradedCall> calls(String hazard) {
         String input = input(hazard).toString();
         Exercise.Case asked =
                 new Exercise.Case(
                         hazard,
                         Map.of(),
-                        Exercise.Kind.STABILITY,
+                        Exercise.Criterion.STABILITY,
                         Disclosure.VERDICT_ONLY,
                         0,
                         input,
                         false);
-        return grading.calls(asked, new Exercise.Tolerance(false), 0);
+        return grading.calls(asked, new Exercise.ExerciseTolerance(false), 0);
     }
 
     private ObjectNode exercise() {

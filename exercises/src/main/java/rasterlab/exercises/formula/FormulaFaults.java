@@ -10,7 +10,7 @@ import rasterlab.exercises.score.Message;
 
 /** Finds the formulas of a text that are no formulas, without setting any. */
 public final class FormulaFaults extends AbstractVisitor {
-    private final List<Fault> found = new ArrayList<>();
+    private final List<FaultyFormula> found = new ArrayList<>();
 
     private FormulaFaults() {}
 
@@ -19,10 +19,10 @@ public final class FormulaFaults extends AbstractVisitor {
      *
      * @param source with its dollars
      */
-    public record Fault(String source, Message mistake) {}
+    public record FaultyFormula(String source, Message mistake) {}
 
     /** The faults of a Markdown text, in their order. */
-    public static List<Fault> in(String markdown) {
+    public static List<FaultyFormula> in(String markdown) {
         FormulaFaults faults = new FormulaFaults();
         Parser.builder()
                 .extensions(List.of(new FormulaMarkdown()))
@@ -42,11 +42,13 @@ public final class FormulaFaults extends AbstractVisitor {
     public void visit(CustomBlock block) {
         if (!(block instanceof FormulaBlock display)) visitChildren(block);
         else if (display.closed()) check(display.formula());
-        else found.add(new Fault("$$ " + display.formula().tex(), Message.of("formula.end")));
+        else
+            found.add(
+                    new FaultyFormula("$$ " + display.formula().tex(), Message.of("formula.end")));
     }
 
     private void check(TexFormula formula) {
         TexCheck.mistake(formula.tex())
-                .ifPresent(mistake -> found.add(new Fault(formula.source(), mistake)));
+                .ifPresent(mistake -> found.add(new FaultyFormula(formula.source(), mistake)));
     }
 }

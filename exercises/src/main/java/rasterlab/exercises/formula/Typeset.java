@@ -11,7 +11,8 @@ public sealed interface Typeset {
      * @param height above the baseline, in em
      * @param depth below the baseline, in em
      */
-    record Drawn(Shape outline, double width, double height, double depth) implements Typeset {
+    record FormulaOutline(Shape outline, double width, double height, double depth)
+            implements Typeset {
         /** How high a small x is, in em. */
         public static final double X_HEIGHT = 0.431;
 

@@ -85,7 +85,7 @@ final class Typesetter {
         Shape outline =
                 AffineTransform.getScaleInstance(1 / UNITS_PER_EM, 1 / UNITS_PER_EM)
                         .createTransformedShape(graphics.outline());
-        return new Typeset.Drawn(outline, box.getWidth(), box.getHeight(), box.getDepth());
+        return new Typeset.FormulaOutline(outline, box.getWidth(), box.getHeight(), box.getDepth());
     }
 
     /**

@@ -150,7 +150,7 @@ public abstract class JsonPlace<P extends JsonPlace<P>> {
     }
 
     /** Returns what is read of this value. */
-    protected final <T> T read(Reading<T> reading) {
+    protected final <T> T read(ValueReader<T> reading) {
         try {
             return reading.of(StrictJson.at(this));
         } catch (IOException e) {
@@ -159,7 +159,7 @@ public abstract class JsonPlace<P extends JsonPlace<P>> {
     }
 
     /** Reads a value by its shape. */
-    protected interface Reading<T> {
+    protected interface ValueReader<T> {
         T of(ValueSource in) throws IOException;
     }
 

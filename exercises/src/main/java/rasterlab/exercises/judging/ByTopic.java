@@ -18,7 +18,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.property.Properties;
 import rasterlab.exercises.property.Property;
@@ -109,7 +109,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     /** The right answer of the exercise: the topic's, or that of the method that it names. */
-    final O truth(I input, Tolerance tolerance, int items) {
+    final O truth(I input, ExerciseTolerance tolerance, int items) {
         return tolerance
                 .truth()
                 .map(name -> topic.record(topic.method(name).implementation(), input, items))
@@ -117,7 +117,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     /** Whether an output is right for that input. */
-    protected boolean isRight(I input, O exact, O actual, Tolerance tolerance) {
+    protected boolean isRight(I input, O exact, O actual, ExerciseTolerance tolerance) {
         var deviation = topic.compare(input, exact, actual);
         boolean within =
                 tolerance.worst().isPresent()
@@ -213,7 +213,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     /** The view in the lab of a student's answer beside the right one. */
-    protected Optional<MethodCase.Drawn> drawn(Answer answer) {
+    protected Optional<MethodCase.DrawnPixels> drawn(Answer answer) {
         return Optional.empty();
     }
 
@@ -223,7 +223,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
      * @param inputs draws new ones each time
      */
     protected Timings timings(
-            Supplier<List<TimedInput<I>>> inputs, Tolerance tolerance, Random random) {
+            Supplier<List<TimedInput<I>>> inputs, ExerciseTolerance tolerance, Random random) {
         return () ->
                 new InputBatch<>(
                         this,
@@ -266,18 +266,19 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     @Override
-    public final List<Call> calls(Case one, Tolerance tolerance, long seed) {
+    public final List<GradedCall> calls(Case one, ExerciseTolerance tolerance, long seed) {
         TopicInputs.Read<I> read = new TopicInputs<>(topic, isInOrder()).of(one, seed);
         if (one.property().isPresent())
             return propertyCalls(one, one.property().get(), tolerance, read.inputs());
         return read.inputs().stream()
-                .<Call>map(
+                .<GradedCall>map(
                         input -> new InputCall<>(this, input, demand(one, input, tolerance, read)))
                 .toList();
     }
 
     /** Where the rule that the property assumes does not decide an input, it is not asked. */
-    private List<Call> propertyCalls(Case one, String name, Tolerance tolerance, List<I> drawn) {
+    private List<GradedCall> propertyCalls(
+            Case one, String name, ExerciseTolerance tolerance, List<I> drawn) {
         Property<I, O> property = property(name);
         List<I> inputs = drawn.stream().filter(property.assumed()).toList();
         if (inputs.isEmpty())
@@ -287,7 +288,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
                             TopicInputs.place(one),
                             Phrase.of("property.none-assumed", name, drawn.size())));
         return inputs.stream()
-                .<Call>map(
+                .<GradedCall>map(
                         input ->
                                 new PropertyCall<>(
                                         this,
@@ -309,14 +310,15 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     /** The demand on an answer of which all is looked at. */
-    final Demand demand(I input, Tolerance tolerance) {
+    final Demand demand(I input, ExerciseTolerance tolerance) {
         int most = topic.mostItems();
         return new Demand(
                 tolerance, false, false, isInOrder() ? (int) Math.min(most, items(input)) : most);
     }
 
-    private Demand demand(Case one, I input, Tolerance tolerance, TopicInputs.Read<I> read) {
-        Tolerance held = read.strict() ? tolerance.strict() : tolerance;
+    private Demand demand(
+            Case one, I input, ExerciseTolerance tolerance, TopicInputs.Read<I> read) {
+        ExerciseTolerance held = read.strict() ? tolerance.strict() : tolerance;
         if (!isInOrder()) return new Demand(held, read.mayRefuse(), false, topic.mostItems());
         int most = read.first().orElse(topic.mostItems());
         long items = items(input);
@@ -346,8 +348,9 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
 
     @Override
     @SuppressWarnings("unchecked") // the caller has them from this topic
-    public final Timing timing(List<?> inputs) {
-        return new InputBatch<>(this, (List<I>) inputs, new Tolerance(false), new Random(1));
+    public final TimingInputs timing(List<?> inputs) {
+        return new InputBatch<>(
+                this, (List<I>) inputs, new ExerciseTolerance(false), new Random(1));
     }
 
     @Override

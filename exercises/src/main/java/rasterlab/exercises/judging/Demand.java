@@ -1,6 +1,6 @@
 package rasterlab.exercises.judging;
 
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 
 /**
  * The demand of a case on an answer.
@@ -9,4 +9,4 @@ import rasterlab.exercises.Exercise.Tolerance;
  * @param cut whether only the beginning of the answer is looked at; the method is stopped there
  * @param items the most items of the right answer that are looked at
  */
-public record Demand(Tolerance tolerance, boolean mayRefuse, boolean cut, int items) {}
+public record Demand(ExerciseTolerance tolerance, boolean mayRefuse, boolean cut, int items) {}

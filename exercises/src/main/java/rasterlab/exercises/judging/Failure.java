@@ -59,7 +59,8 @@ public final class Failure {
     }
 
     private static Finding limit(Answer answer) {
-        String key = answer.ending() == Answer.Ending.CUT ? "answer.too-many" : "answer.too-long";
+        String key =
+                answer.ending() == Answer.CallEnding.CUT ? "answer.too-many" : "answer.too-long";
         return Finding.of(GradingVerdict.OUTPUT_LIMIT, Message.of(key));
     }
 

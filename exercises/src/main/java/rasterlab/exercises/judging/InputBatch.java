@@ -5,22 +5,23 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
-import rasterlab.exercises.Exercise.Tolerance;
-import rasterlab.exercises.TopicGrading.Timing;
-import rasterlab.exercises.TopicGrading.Told;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
+import rasterlab.exercises.TopicGrading.TimedAnswers;
+import rasterlab.exercises.TopicGrading.TimingInputs;
 
 /**
  * Inputs to time a method on. The answer to one of them, drawn at random, is judged like that of a
  * case.
  */
-final class InputBatch<C, I, O> implements Timing {
+final class InputBatch<C, I, O> implements TimingInputs {
     private final ByTopic<C, I, O> grading;
     private final List<I> inputs;
-    private final Tolerance tolerance;
+    private final ExerciseTolerance tolerance;
     private final int looked;
     private final long count;
 
-    InputBatch(ByTopic<C, I, O> grading, List<I> inputs, Tolerance tolerance, Random random) {
+    InputBatch(
+            ByTopic<C, I, O> grading, List<I> inputs, ExerciseTolerance tolerance, Random random) {
         this.grading = grading;
         this.inputs = inputs;
         this.tolerance = tolerance;
@@ -73,7 +74,7 @@ final class InputBatch<C, I, O> implements Timing {
 
     @Override
     @SuppressWarnings("unchecked") // recorded by this class
-    public Optional<Set<String>> mistakes(Told told) {
+    public Optional<Set<String>> mistakes(TimedAnswers told) {
         I input = inputs.get(looked);
         O exact = grading.truth(input, tolerance, mostItems());
         return told.looked()

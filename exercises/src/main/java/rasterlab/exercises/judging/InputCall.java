@@ -10,8 +10,8 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
-import rasterlab.exercises.TopicGrading.Call;
-import rasterlab.exercises.TopicGrading.Caps;
+import rasterlab.exercises.TopicGrading.CallLimits;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
@@ -21,7 +21,7 @@ import rasterlab.exercises.score.KnownChanges;
 import rasterlab.exercises.score.Message;
 
 /** One input of a topic and how an answer to it is judged. */
-final class InputCall<C, I, O> implements Call {
+final class InputCall<C, I, O> implements GradedCall {
     private final ByTopic<C, I, O> grading;
     private final I input;
     private final Demand demand;
@@ -49,8 +49,9 @@ final class InputCall<C, I, O> implements Call {
     }
 
     @Override
-    public Caps caps() {
-        return Caps.ofItems(demand.cut() ? demand.items() : topic().mostBeforeEndless(items()));
+    public CallLimits caps() {
+        return CallLimits.ofItems(
+                demand.cut() ? demand.items() : topic().mostBeforeEndless(items()));
     }
 
     /** The number of items; none where the right method refuses the input. */
@@ -87,14 +88,14 @@ final class InputCall<C, I, O> implements Call {
     @Override
     @SuppressWarnings("unchecked") // recorded by this class
     public Optional<Cause> idle(Answer answer) {
-        if (answer.ending() != Answer.Ending.RETURNED) return Optional.empty();
+        if (answer.ending() != Answer.CallEnding.RETURNED) return Optional.empty();
         return answer.output().flatMap(output -> Idle.cause(grading, input, (O) output));
     }
 
     @SuppressWarnings("unchecked") // recorded by this class
     private Finding judged(Answer answer, boolean whole, Optional<Cause> idle) {
         if (answer.output().isEmpty()) return Failure.of(answer, demand.mayRefuse());
-        if (answer.ending() == Answer.Ending.CUT && !demand.cut())
+        if (answer.ending() == Answer.CallEnding.CUT && !demand.cut())
             return grading.endless(input, answer, demand, whole);
         O actual = (O) answer.output().get();
         O right = right(actual);

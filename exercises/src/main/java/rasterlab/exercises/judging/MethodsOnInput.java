@@ -110,7 +110,7 @@ public final class MethodsOnInput<C, I, O> {
      *
      * @param said what is wrong with its answer, or why there is none; nothing where it is exact
      */
-    public record Tried(String method, Verdict.Kind kind, Message said) {
+    public record MethodResult(String method, Verdict.Kind kind, Message said) {
         /** Whether it gave an answer that is not exact, or none without saying why. */
         public boolean failed() {
             return kind != Verdict.Kind.EXACT && kind != Verdict.Kind.REFUSED;
@@ -131,7 +131,7 @@ public final class MethodsOnInput<C, I, O> {
     }
 
     /** The methods that promise to be right. */
-    public List<Tried> right() {
+    public List<MethodResult> right() {
         return topic.methods().stream()
                 .filter(Method::promisesToBeRight)
                 .map(one -> tried(one.name(), one.implementation()))
@@ -143,8 +143,8 @@ public final class MethodsOnInput<C, I, O> {
      *
      * @param names of {@link #breakable}
      */
-    public List<Tried> faulty(Set<String> names) {
-        List<Tried> tried = new ArrayList<>();
+    public List<MethodResult> faulty(Set<String> names) {
+        List<MethodResult> tried = new ArrayList<>();
         faulty(topic)
                 .forEach(
                         (name, method) -> {
@@ -153,7 +153,7 @@ public final class MethodsOnInput<C, I, O> {
         return tried;
     }
 
-    private Tried tried(String name, C implementation) {
+    private MethodResult tried(String name, C implementation) {
         if (trial == null) trial = HazardTrial.trying(topic, input, LIMIT);
         HazardTrial.MethodAnswer<O> tried = trial.apply(Method.failing(name, implementation));
         Verdict verdict = tried.verdict();
@@ -171,7 +171,7 @@ public final class MethodsOnInput<C, I, O> {
                                                             topic, input, tried.exact(), made))
                                     .orElseGet(() -> withoutAnswer(tried));
                 };
-        return new Tried(name, verdict.kind(), said);
+        return new MethodResult(name, verdict.kind(), said);
     }
 
     /** Says why there is no answer to compare, in words that are known in every language. */

@@ -8,15 +8,15 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import rasterlab.engine.study.Topic;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
-import rasterlab.exercises.TopicGrading.Caps;
+import rasterlab.exercises.TopicGrading.CallLimits;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.property.Property;
-import rasterlab.exercises.property.Relation.Answered;
+import rasterlab.exercises.property.Relation.AnsweredInput;
 import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.SmallerInputs;
-import rasterlab.exercises.property.SmallerInputs.Smaller;
+import rasterlab.exercises.property.SmallerInputs.SmallerInput;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
@@ -29,13 +29,13 @@ import rasterlab.exercises.score.Message;
  * <p>A method that keeps a property by wrong answers, such as by drawing nothing, earns nothing for
  * it; and where all answers are right to the tolerance, what they differ by is no fault.
  */
-final class PropertyCall<C, I, O> implements Call {
+final class PropertyCall<C, I, O> implements GradedCall {
     private final ByTopic<C, I, O> grading;
     private final Property<I, O> property;
     private final I input;
-    private final Tolerance tolerance;
+    private final ExerciseTolerance tolerance;
     private final int tries;
-    private final Optional<Smaller> from;
+    private final Optional<SmallerInput> from;
     private final InputCall<C, I, O> own;
 
     /**
@@ -46,9 +46,9 @@ final class PropertyCall<C, I, O> implements Call {
             ByTopic<C, I, O> grading,
             Property<I, O> property,
             I input,
-            Tolerance tolerance,
+            ExerciseTolerance tolerance,
             int tries,
-            Optional<Smaller> from) {
+            Optional<SmallerInput> from) {
         this.grading = grading;
         this.property = property;
         this.input = input;
@@ -64,8 +64,8 @@ final class PropertyCall<C, I, O> implements Call {
      * @param complete whether the further inputs could be made of the first answer
      */
     private record Answers<I, O>(
-            Answered<I, O> first, List<Answered<I, O>> beside, boolean complete) {
-        Stream<Answered<I, O>> all() {
+            AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, boolean complete) {
+        Stream<AnsweredInput<I, O>> all() {
             return Stream.concat(Stream.of(first), beside.stream());
         }
     }
@@ -81,8 +81,8 @@ final class PropertyCall<C, I, O> implements Call {
 
     /** {@inheritDoc} Of an input that is made of this one, at most twice as many. */
     @Override
-    public Caps caps() {
-        return Caps.ofItems(topic().mostBeforeEndless(2 * items()));
+    public CallLimits caps() {
+        return CallLimits.ofItems(topic().mostBeforeEndless(2 * items()));
     }
 
     @Override
@@ -93,15 +93,16 @@ final class PropertyCall<C, I, O> implements Call {
     @Override
     public Object recorded(Object method, int most) {
         C whole = grading.whole(method);
-        var first = new Answered<>(input, topic().record(whole, input, most));
+        var first = new AnsweredInput<>(input, topic().record(whole, input, most));
         List<I> further;
         try {
             further = property.relation().beside(input, first.output());
         } catch (IllegalArgumentException noInput) {
             return new Answers<>(first, List.of(), false);
         }
-        List<Answered<I, O>> beside = new ArrayList<>();
-        for (I one : further) beside.add(new Answered<>(one, topic().record(whole, one, most)));
+        List<AnsweredInput<I, O>> beside = new ArrayList<>();
+        for (I one : further)
+            beside.add(new AnsweredInput<>(one, topic().record(whole, one, most)));
         return new Answers<>(first, beside, true);
     }
 
@@ -142,7 +143,7 @@ final class PropertyCall<C, I, O> implements Call {
         Optional<Answers<I, O>> got = answers(answer);
         if (got.isEmpty()) return Failure.of(answer, false);
         Optional<Broken<I, O>> broken = broken(got.get());
-        Optional<Answered<I, O>> wrong = wrong(got.get(), broken.isPresent());
+        Optional<AnsweredInput<I, O>> wrong = wrong(got.get(), broken.isPresent());
         if (wrong.isEmpty()) return Finding.OK;
         InputCall<C, I, O> alone = alone(wrong.get().input());
         Answer its = answer(wrong.get());
@@ -154,7 +155,7 @@ final class PropertyCall<C, I, O> implements Call {
     /** The recorded answer; empty where the method did not get so far. */
     @SuppressWarnings("unchecked") // recorded by this class
     private Optional<Answers<I, O>> answers(Answer answer) {
-        return answer.ending() == Answer.Ending.RETURNED
+        return answer.ending() == Answer.CallEnding.RETURNED
                 ? answer.output().map(output -> (Answers<I, O>) output)
                 : Optional.empty();
     }
@@ -173,7 +174,7 @@ final class PropertyCall<C, I, O> implements Call {
      * The first answer that is wrong; where the property holds, only that to its own input. What
      * was made of a wrong answer may be no input that has a right one.
      */
-    private Optional<Answered<I, O>> wrong(Answers<I, O> got, boolean broken) {
+    private Optional<AnsweredInput<I, O>> wrong(Answers<I, O> got, boolean broken) {
         return got.all()
                 .limit(broken ? Long.MAX_VALUE : 1)
                 .filter(one -> alone(one.input()).isAnswered())
@@ -181,8 +182,8 @@ final class PropertyCall<C, I, O> implements Call {
                 .findFirst();
     }
 
-    private static Answer answer(Answered<?, ?> one) {
-        return Answer.with(Answer.Ending.RETURNED, one.output(), 1, "", "");
+    private static Answer answer(AnsweredInput<?, ?> one) {
+        return Answer.with(Answer.CallEnding.RETURNED, one.output(), 1, "", "");
     }
 
     /**
@@ -258,7 +259,7 @@ final class PropertyCall<C, I, O> implements Call {
 
     /** {@inheritDoc} Where no answer came, it cannot be told to which. */
     @Override
-    public Call inQuestion(Answer answer) {
+    public GradedCall inQuestion(Answer answer) {
         Optional<Answers<I, O>> got = answers(answer);
         if (got.isEmpty()) return this;
         return wrong(got.get(), true).map(one -> alone(one.input())).orElse(own);
@@ -270,8 +271,8 @@ final class PropertyCall<C, I, O> implements Call {
     }
 
     @Override
-    public Stream<Call> smaller() {
-        Smaller start = from.orElseGet(() -> Smaller.first(input()));
+    public Stream<GradedCall> smaller() {
+        SmallerInput start = from.orElseGet(() -> SmallerInput.first(input()));
         return SmallerInputs.of(start).flatMap(one -> shrunkTo(one).stream());
     }
 
@@ -279,7 +280,7 @@ final class PropertyCall<C, I, O> implements Call {
      * The call on a smaller input; empty where that is no input with a right answer, or none that
      * the property speaks of.
      */
-    private Optional<Call> shrunkTo(Smaller smaller) {
+    private Optional<GradedCall> shrunkTo(SmallerInput smaller) {
         return TopicInputs.read(topic().format(), smaller.json())
                 .filter(property.assumed())
                 .map(
@@ -292,7 +293,7 @@ final class PropertyCall<C, I, O> implements Call {
                                         tries,
                                         Optional.of(smaller)))
                 .filter(one -> one.own.isAnswered())
-                .map(Call.class::cast);
+                .map(GradedCall.class::cast);
     }
 
     @Override

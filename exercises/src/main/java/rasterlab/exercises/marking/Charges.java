@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Group;
+import rasterlab.exercises.Exercise.CaseGroup;
 
 /**
  * The mistakes that a group of cases pays for, so that no other case has to. A mistake that the
@@ -76,7 +76,7 @@ final class Charges {
     }
 
     private Set<String> claimedBy(Case one) {
-        return exercise.group(one).map(Group::mistakes).orElse(Set.of());
+        return exercise.group(one).map(CaseGroup::mistakes).orElse(Set.of());
     }
 
     /**

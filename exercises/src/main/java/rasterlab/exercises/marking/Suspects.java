@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.KnownChanges;
 import rasterlab.exercises.score.Message;
@@ -15,7 +15,7 @@ import rasterlab.exercises.score.Message;
  * of the program wrong, which is right, were not made.
  */
 final class Suspects {
-    private final List<Call> right = new ArrayList<>();
+    private final List<GradedCall> right = new ArrayList<>();
 
     private final ChangedAnswers changed;
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
@@ -16,19 +16,19 @@ import rasterlab.exercises.score.GradingVerdict;
  * @param answer nothing where the method was stopped
  * @param finding verdict and causes
  */
-public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
+public record TriedCall(GradedCall call, Optional<Answer> answer, Finding finding) {
     /** The worth of an answer by itself. */
-    public static TriedCall answered(Call call, Answer answer) {
+    public static TriedCall answered(GradedCall call, Answer answer) {
         return new TriedCall(call, Optional.of(answer), call.check(answer));
     }
 
     /** The method was stopped, or gave another answer the second time. */
-    public static TriedCall failed(Call call, Finding finding) {
+    public static TriedCall failed(GradedCall call, Finding finding) {
         return new TriedCall(call, Optional.empty(), finding);
     }
 
     /** The call on the input whose answer is not right, where several were asked for. */
-    Call inQuestion() {
+    GradedCall inQuestion() {
         return answer.map(call::inQuestion).orElse(call);
     }
 
@@ -38,7 +38,7 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
 
     /** Whether it is right because a refusal is as good as an answer here. */
     boolean refused() {
-        return right() && answer.filter(one -> one.ending() == Answer.Ending.THREW).isPresent();
+        return right() && answer.filter(one -> one.ending() == Answer.CallEnding.THREW).isPresent();
     }
 
     /** Whether the other is the same answer to the same input. */

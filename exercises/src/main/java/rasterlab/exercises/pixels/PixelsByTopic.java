@@ -15,7 +15,7 @@ import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.drawing.PixelPictures;
 import rasterlab.exercises.judging.ByTopic;
 import rasterlab.exercises.judging.Demand;
@@ -81,7 +81,7 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
 
     @Override
     protected final boolean isRight(
-            I input, PixelRecording exact, PixelRecording actual, Tolerance tolerance) {
+            I input, PixelRecording exact, PixelRecording actual, ExerciseTolerance tolerance) {
         return isSame(exact, actual);
     }
 
@@ -194,15 +194,18 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     }
 
     @Override
-    protected final Optional<MethodCase.Drawn> drawn(Answer answer) {
-        boolean cut = answer.ending() == Answer.Ending.CUT;
+    protected final Optional<MethodCase.DrawnPixels> drawn(Answer answer) {
+        boolean cut = answer.ending() == Answer.CallEnding.CUT;
         return answer.output()
-                .map(output -> MethodCase.Drawn.of(new Plotted((PixelRecording) output, cut)));
+                .map(
+                        output ->
+                                MethodCase.DrawnPixels.of(
+                                        new Plotted((PixelRecording) output, cut)));
     }
 
     @Override
     protected final Timings timings(
-            Supplier<List<TimedInput<I>>> inputs, Tolerance tolerance, Random random) {
+            Supplier<List<TimedInput<I>>> inputs, ExerciseTolerance tolerance, Random random) {
         PixelVariation.Likely likely = new PixelVariation.Likely();
         return () -> new SummedBatch<>(topic(), plain(), inputs.get(), likely);
     }

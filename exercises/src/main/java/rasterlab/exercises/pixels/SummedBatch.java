@@ -6,8 +6,8 @@ import java.util.OptionalInt;
 import java.util.Set;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Topic;
-import rasterlab.exercises.TopicGrading.Timing;
-import rasterlab.exercises.TopicGrading.Told;
+import rasterlab.exercises.TopicGrading.TimedAnswers;
+import rasterlab.exercises.TopicGrading.TimingInputs;
 import rasterlab.exercises.judging.TimedInput;
 
 /**
@@ -19,7 +19,7 @@ import rasterlab.exercises.judging.TimedInput;
  * otherwise is not timed, and neither is a table, a constant or nothing, which do not get so far:
  * the accuracy asked for first is out of their reach.
  */
-final class SummedBatch<C, I> implements Timing {
+final class SummedBatch<C, I> implements TimingInputs {
     private final Topic<C, I, PixelRecording> topic;
     private final C plain;
     private final List<TimedInput<I>> inputs;
@@ -100,7 +100,7 @@ final class SummedBatch<C, I> implements Timing {
     }
 
     @Override
-    public Optional<Set<String>> mistakes(Told told) {
+    public Optional<Set<String>> mistakes(TimedAnswers told) {
         long count = told.count();
         long sum = told.sum();
         if (count == right.count() && sum == right.sum()) return Optional.of(Set.of());

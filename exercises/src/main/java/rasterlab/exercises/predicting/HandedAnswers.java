@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Predicting;
-import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.score.Phrase;
@@ -73,7 +73,9 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
     private record Answers(Predicting rules, Optional<Sheet> sheet, Faults faults) {
         List<JsonNode> read(JsonFields fields) {
             String[] known =
-                    Stream.concat(Stream.of(NUMBER), rules.asked().stream().map(Asked::field))
+                    Stream.concat(
+                                    Stream.of(NUMBER),
+                                    rules.asked().stream().map(PredictedField::field))
                             .toArray(String[]::new);
             List<JsonNode> answers = new ArrayList<>();
             for (Optional<JsonFields> one : given(fields, known)) {
@@ -105,11 +107,11 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
 
         private void check(JsonFields answer, int number) {
             if (answer.has(NUMBER)) faults.checked(() -> answer.integer(NUMBER, number, number));
-            for (Asked asked : rules.asked())
+            for (PredictedField asked : rules.asked())
                 if (answer.has(asked.field())) faults.checked(() -> check(answer, asked, number));
         }
 
-        private void check(JsonFields answer, Asked asked, int number) {
+        private void check(JsonFields answer, PredictedField asked, int number) {
             JsonNode value = answer.tree(asked.field());
             if (value.isNull()) return;
             if (!asked.words().isEmpty()) {

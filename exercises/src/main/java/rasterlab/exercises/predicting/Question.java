@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.geometry.Bounds;
 import rasterlab.exercises.Predicting;
-import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.score.Message;
 
 /**
@@ -32,13 +32,13 @@ public record Question(
 
     /** The right answer. */
     public ObjectNode right() {
-        return part(rules.asked().stream().map(Asked::field).toList());
+        return part(rules.asked().stream().map(PredictedField::field).toList());
     }
 
     /** The question about a step, without the value that decides on it. */
     public ObjectNode shown(JsonNode step) {
         ObjectNode shown = part(step, rules.told());
-        return shown.setAll(part(step, rules.asked().stream().map(Asked::field).toList()));
+        return shown.setAll(part(step, rules.asked().stream().map(PredictedField::field).toList()));
     }
 
     private ObjectNode part(List<String> fields) {
@@ -98,7 +98,7 @@ public record Question(
 
     private String answered(JsonNode answer) {
         ObjectNode part = JsonNodeFactory.instance.objectNode();
-        for (Asked one : rules.asked()) part.set(one.field(), answer.path(one.field()));
+        for (PredictedField one : rules.asked()) part.set(one.field(), answer.path(one.field()));
         return StepValues.told(part);
     }
 

@@ -12,7 +12,7 @@ import java.util.concurrent.ThreadLocalRandom;
 import java.util.function.Function;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Predicting;
-import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.Predicting.PredictedField;
 
 /**
  * Writes a sheet as the JSON document that a student completes: the questions, and for each an
@@ -85,7 +85,7 @@ public final class SheetText {
     private static String answer(Question one, JsonNode answer) {
         ObjectNode written = JsonNodeFactory.instance.objectNode();
         written.put(HandedAnswers.NUMBER, one.number());
-        for (Asked each : one.rules().asked()) {
+        for (PredictedField each : one.rules().asked()) {
             JsonNode value = answer.path(each.field());
             written.set(
                     each.field(),

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.triangulation.Triangles;
-import rasterlab.exercises.property.Relation.Answered;
+import rasterlab.exercises.property.Relation.AnsweredInput;
 import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.Relation.Equivalence;
 import rasterlab.exercises.score.Message;
@@ -63,8 +63,8 @@ final class AreaProperties {
 
         @Override
         public Optional<Broken<Points, Triangles>> broken(
-                Answered<Points, Triangles> first,
-                List<Answered<Points, Triangles>> beside,
+                AnsweredInput<Points, Triangles> first,
+                List<AnsweredInput<Points, Triangles>> beside,
                 Equivalence<Points, Triangles> alike) {
             double area = Math.abs(doubled(first.input()));
             double sum = doubled(first.input(), first.output());

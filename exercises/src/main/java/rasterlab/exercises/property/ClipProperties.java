@@ -6,7 +6,7 @@ import java.util.Optional;
 import rasterlab.engine.clip.ClippedEnds;
 import rasterlab.engine.clip.polygon.PolygonInWindow;
 import rasterlab.engine.clip.segment.SegmentsInWindow;
-import rasterlab.exercises.property.Relation.Answered;
+import rasterlab.exercises.property.Relation.AnsweredInput;
 import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.Relation.Equivalence;
 
@@ -85,10 +85,10 @@ final class ClipProperties {
 
         @Override
         public Optional<Broken<PolygonInWindow, List<double[]>>> broken(
-                Answered<PolygonInWindow, List<double[]>> first,
-                List<Answered<PolygonInWindow, List<double[]>>> again,
+                AnsweredInput<PolygonInWindow, List<double[]>> first,
+                List<AnsweredInput<PolygonInWindow, List<double[]>>> again,
                 Equivalence<PolygonInWindow, List<double[]>> alike) {
-            for (Answered<PolygonInWindow, List<double[]>> one : again) {
+            for (AnsweredInput<PolygonInWindow, List<double[]>> one : again) {
                 double[] piece = one.input().subject();
                 double left = one.output().stream().mapToDouble(ClipProperties::area).sum();
                 double least = ROUNDING * Math.abs(area(one.input().window()));

@@ -6,7 +6,7 @@ import java.util.Optional;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.color.ColorSheet;
 import rasterlab.engine.color.Colors;
-import rasterlab.exercises.property.Relation.Answered;
+import rasterlab.exercises.property.Relation.AnsweredInput;
 import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.Relation.Equivalence;
 
@@ -42,10 +42,10 @@ final class ColorProperties {
 
         @Override
         public Optional<Broken<Colors, ColorSheet>> broken(
-                Answered<Colors, ColorSheet> first,
-                List<Answered<Colors, ColorSheet>> written,
+                AnsweredInput<Colors, ColorSheet> first,
+                List<AnsweredInput<Colors, ColorSheet>> written,
                 Equivalence<Colors, ColorSheet> alike) {
-            for (Answered<Colors, ColorSheet> one : written)
+            for (AnsweredInput<Colors, ColorSheet> one : written)
                 if (!alike.test(one.input(), first.output(), one.output()))
                     return Optional.of(new Broken<>(one, first.output()));
             return Optional.empty();

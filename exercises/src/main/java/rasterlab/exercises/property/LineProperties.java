@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
-import rasterlab.exercises.property.Relation.Change;
+import rasterlab.exercises.property.Relation.InputChange;
 
 /**
  * Properties of segments in pixels. All assume that no tie decides, since either of its pixels may
@@ -63,11 +63,11 @@ final class LineProperties {
      * The start stays; the rest is mirrored in the seven ways in which octants go over into one
      * another.
      */
-    private static List<Change<Segment, PixelRecording>> symmetries() {
-        List<Change<Segment, PixelRecording>> changes = new ArrayList<>();
+    private static List<InputChange<Segment, PixelRecording>> symmetries() {
+        List<InputChange<Segment, PixelRecording>> changes = new ArrayList<>();
         for (Symmetry one : Symmetry.OF_OCTANTS)
             changes.add(
-                    new Change<>(
+                    new InputChange<>(
                             segment -> {
                                 int[] end =
                                         one.of(

@@ -6,7 +6,7 @@ import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.axis.AxisTurn;
 import rasterlab.engine.transform.rotate.Turns;
 import rasterlab.engine.transform.view.ViewTask;
-import rasterlab.exercises.property.Relation.Answered;
+import rasterlab.exercises.property.Relation.AnsweredInput;
 import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.Relation.Equivalence;
 
@@ -52,8 +52,8 @@ final class MotionProperties {
 
         @Override
         public Optional<Broken<ViewTask, Images>> broken(
-                Answered<ViewTask, Images> first,
-                List<Answered<ViewTask, Images>> beside,
+                AnsweredInput<ViewTask, Images> first,
+                List<AnsweredInput<ViewTask, Images>> beside,
                 Equivalence<ViewTask, Images> alike) {
             double[] points = first.input().points();
             double[] images = first.output().coordinates();

@@ -12,7 +12,7 @@ import rasterlab.engine.circle.Ellipse;
 import rasterlab.engine.polygon.scan.PolygonTask;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
-import rasterlab.exercises.property.Relation.Answered;
+import rasterlab.exercises.property.Relation.AnsweredInput;
 import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.Relation.Equivalence;
 
@@ -103,13 +103,13 @@ final class PixelProperties {
 
         @Override
         public Optional<Broken<PolygonTask, PixelRecording>> broken(
-                Answered<PolygonTask, PixelRecording> whole,
-                List<Answered<PolygonTask, PixelRecording>> parts,
+                AnsweredInput<PolygonTask, PixelRecording> whole,
+                List<AnsweredInput<PolygonTask, PixelRecording>> parts,
                 Equivalence<PolygonTask, PixelRecording> alike) {
             PixelSet one = PixelSet.of(parts.get(0).output());
             PixelSet other = PixelSet.of(parts.get(1).output());
             Set<Place> wanted = new TreeSet<>(Place.BY_ROWS);
-            for (Answered<PolygonTask, PixelRecording> part : parts)
+            for (AnsweredInput<PolygonTask, PixelRecording> part : parts)
                 for (Place each : places(part.output()))
                     if (one.contains(each.x(), each.y()) != other.contains(each.x(), each.y()))
                         wanted.add(each);

@@ -29,10 +29,10 @@ public interface Relation<I, O> {
      * @param alike tells whether two answers to an input are the same to the tolerance
      */
     Optional<Broken<I, O>> broken(
-            Answered<I, O> first, List<Answered<I, O>> beside, Equivalence<I, O> alike);
+            AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, Equivalence<I, O> alike);
 
     /** An input, and what a method answered. */
-    record Answered<I, O>(I input, O output) {}
+    record AnsweredInput<I, O>(I input, O output) {}
 
     /**
      * An answer that does not fit the others.
@@ -40,8 +40,8 @@ public interface Relation<I, O> {
      * @param wanted what it would be if it fitted them; empty where that cannot be told
      * @param said what is told then
      */
-    record Broken<I, O>(Answered<I, O> answered, Optional<O> wanted, Message said) {
-        public Broken(Answered<I, O> answered, O wanted) {
+    record Broken<I, O>(AnsweredInput<I, O> answered, Optional<O> wanted, Message said) {
+        public Broken(AnsweredInput<I, O> answered, O wanted) {
             this(answered, Optional.of(wanted), Message.NONE);
         }
     }
@@ -58,10 +58,10 @@ public interface Relation<I, O> {
      * @param input made of the first
      * @param answer to it, made of the first input and its answer
      */
-    record Change<I, O>(UnaryOperator<I> input, BiFunction<I, O, O> answer) {}
+    record InputChange<I, O>(UnaryOperator<I> input, BiFunction<I, O, O> answer) {}
 
     /** The relation that each of these changes changes the answer as it says. */
-    static <I, O> Relation<I, O> changed(List<Change<I, O>> changes) {
+    static <I, O> Relation<I, O> changed(List<InputChange<I, O>> changes) {
         return new Relation<>() {
             @Override
             public List<I> beside(I input, O answer) {
@@ -70,10 +70,10 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    Answered<I, O> first, List<Answered<I, O>> beside, Equivalence<I, O> alike) {
+                    AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, Equivalence<I, O> alike) {
                 for (int i = 0; i < changes.size(); i++) {
                     O wanted = changes.get(i).answer().apply(first.input(), first.output());
-                    Answered<I, O> other = beside.get(i);
+                    AnsweredInput<I, O> other = beside.get(i);
                     if (!alike.test(other.input(), wanted, other.output()))
                         return Optional.of(new Broken<>(other, wanted));
                 }
@@ -84,7 +84,7 @@ public interface Relation<I, O> {
 
     /** A relation of one change. */
     static <I, O> Relation<I, O> changed(UnaryOperator<I> input, BiFunction<I, O, O> answer) {
-        return changed(List.of(new Change<>(input, answer)));
+        return changed(List.of(new InputChange<>(input, answer)));
     }
 
     /**
@@ -102,9 +102,9 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    Answered<I, O> first, List<Answered<I, O>> beside, Equivalence<I, O> alike) {
+                    AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, Equivalence<I, O> alike) {
                 O known = wanted.apply(first.input(), first.output());
-                Answered<I, O> other = beside.get(0);
+                AnsweredInput<I, O> other = beside.get(0);
                 return alike.test(other.input(), known, other.output())
                         ? Optional.empty()
                         : Optional.of(new Broken<>(other, known));
@@ -126,7 +126,7 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    Answered<I, O> first, List<Answered<I, O>> beside, Equivalence<I, O> alike) {
+                    AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, Equivalence<I, O> alike) {
                 O known = wanted.apply(first.input(), first.output());
                 return alike.test(first.input(), known, first.output())
                         ? Optional.empty()

@@ -40,26 +40,26 @@ public final class SmallerInputs {
      * @param settled whether no array can lose members: none could before a number changed
      * @param from which of its numbers is changed first
      */
-    public record Smaller(JsonNode json, boolean settled, int from) {
+    public record SmallerInput(JsonNode json, boolean settled, int from) {
         /** One that was not made smaller yet. */
-        public static Smaller first(JsonNode json) {
-            return new Smaller(json, false, 0);
+        public static SmallerInput first(JsonNode json) {
+            return new SmallerInput(json, false, 0);
         }
     }
 
-    private final Smaller start;
+    private final SmallerInput start;
     private final JsonNode root;
     private final List<JsonPointer> arrays = new ArrayList<>();
     private final List<JsonPointer> numbers = new ArrayList<>();
 
-    private SmallerInputs(Smaller start) {
+    private SmallerInputs(SmallerInput start) {
         this.start = start;
         this.root = start.json();
         visit(JsonPointer.empty(), root);
     }
 
     /** Makes smaller inputs when they are asked for. */
-    public static Stream<Smaller> of(Smaller start) {
+    public static Stream<SmallerInput> of(SmallerInput start) {
         return new SmallerInputs(start).all();
     }
 
@@ -73,16 +73,19 @@ public final class SmallerInputs {
         for (int i = 0; i < node.size(); i++) visit(at.appendIndex(i), node.get(i));
     }
 
-    private Stream<Smaller> all() {
-        Stream<Supplier<Smaller>> rounded =
-                Stream.of(() -> new Smaller(each(numbers, STEPS.get(ROUNDS)), start.settled(), 0));
-        Stream<Supplier<Smaller>> fewer =
+    private Stream<SmallerInput> all() {
+        Stream<Supplier<SmallerInput>> rounded =
+                Stream.of(
+                        () ->
+                                new SmallerInput(
+                                        each(numbers, STEPS.get(ROUNDS)), start.settled(), 0));
+        Stream<Supplier<SmallerInput>> fewer =
                 start.settled()
                         ? Stream.of()
                         : arrays.stream()
                                 .flatMap(array -> withoutSome(array, root.at(array).size()));
-        Stream<Supplier<Smaller>> halved =
-                Stream.of(() -> new Smaller(each(numbers, STEPS.get(HALVES)), true, 0));
+        Stream<Supplier<SmallerInput>> halved =
+                Stream.of(() -> new SmallerInput(each(numbers, STEPS.get(HALVES)), true, 0));
         return Stream.of(rounded, fewer, halved, nearer())
                 .flatMap(some -> some)
                 .map(Supplier::get)
@@ -90,7 +93,7 @@ public final class SmallerInputs {
     }
 
     /** One number changed, from where it went on last and round. */
-    private Stream<Supplier<Smaller>> nearer() {
+    private Stream<Supplier<SmallerInput>> nearer() {
         return IntStream.range(0, numbers.size())
                 .map(i -> (i + start.from()) % numbers.size())
                 .boxed()
@@ -100,7 +103,7 @@ public final class SmallerInputs {
                                         .map(
                                                 step ->
                                                         () ->
-                                                                new Smaller(
+                                                                new SmallerInput(
                                                                         each(
                                                                                 List.of(
                                                                                         numbers.get(
@@ -110,23 +113,23 @@ public final class SmallerInputs {
                                                                         i)));
     }
 
-    private Stream<Supplier<Smaller>> withoutSome(JsonPointer array, int size) {
+    private Stream<Supplier<SmallerInput>> withoutSome(JsonPointer array, int size) {
         int half = size / 2;
-        Stream<Supplier<Smaller>> halves =
+        Stream<Supplier<SmallerInput>> halves =
                 half < 2
                         ? Stream.of()
                         : Stream.of(
                                 () -> without(array, half, size), () -> without(array, 0, half));
-        Stream<Supplier<Smaller>> single =
+        Stream<Supplier<SmallerInput>> single =
                 IntStream.range(0, size).mapToObj(i -> () -> without(array, i, i + 1));
         return Stream.concat(halves, single);
     }
 
-    private Smaller without(JsonPointer array, int from, int to) {
+    private SmallerInput without(JsonPointer array, int from, int to) {
         JsonNode copy = root.deepCopy();
         ArrayNode left = (ArrayNode) copy.at(array);
         for (int i = to - 1; i >= from; i--) left.remove(i);
-        return Smaller.first(copy);
+        return SmallerInput.first(copy);
     }
 
     private JsonNode each(List<JsonPointer> chosen, DoubleUnaryOperator step) {

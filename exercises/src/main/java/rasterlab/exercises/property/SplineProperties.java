@@ -5,7 +5,7 @@ import java.util.Optional;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.function.SplineProblem;
 import rasterlab.engine.spline.function.SplineValues;
-import rasterlab.exercises.property.Relation.Answered;
+import rasterlab.exercises.property.Relation.AnsweredInput;
 import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.Relation.Equivalence;
 
@@ -58,10 +58,10 @@ final class SplineProperties {
 
         @Override
         public Optional<Broken<SplineProblem, SplineValues>> broken(
-                Answered<SplineProblem, SplineValues> first,
-                List<Answered<SplineProblem, SplineValues>> beside,
+                AnsweredInput<SplineProblem, SplineValues> first,
+                List<AnsweredInput<SplineProblem, SplineValues>> beside,
                 Equivalence<SplineProblem, SplineValues> alike) {
-            Answered<SplineProblem, SplineValues> all = beside.get(0);
+            AnsweredInput<SplineProblem, SplineValues> all = beside.get(0);
             double[] at = all.input().at();
             double[] y = all.output().y();
             if (y.length != at.length) return Optional.empty();

@@ -31,7 +31,7 @@ record Symmetry(boolean swapped, boolean left, boolean up) {
 
     /** A change of pixels one by one. */
     @FunctionalInterface
-    interface OfPixel {
+    interface PixelMapping {
         int[] of(int x, int y);
     }
 
@@ -43,7 +43,7 @@ record Symmetry(boolean swapped, boolean left, boolean up) {
     }
 
     /** The pixels changed one by one, in their order. */
-    static PixelRecording changed(PixelRecording pixels, OfPixel change) {
+    static PixelRecording changed(PixelRecording pixels, PixelMapping change) {
         PixelRecording changed = new PixelRecording(Math.max(1, pixels.size()));
         for (int i = 0; i < pixels.size(); i++) {
             int[] at = change.of(pixels.x(i), pixels.y(i));

@@ -18,7 +18,7 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.breaking.HandedInputs;
 import rasterlab.exercises.judging.InputJson;
 import rasterlab.exercises.judging.MethodsOnInput;
-import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.judging.MethodsOnInput.MethodResult;
 import rasterlab.exercises.score.Phrase;
 
 /**
@@ -76,7 +76,7 @@ final class BreakProving {
     private boolean isBroken(String name, Sample sample) {
         MethodsOnInput<?, ?, ?> methods = methods(exercise.topic(), sample.json());
         return methods.faulty(Set.of(name)).get(0).failed()
-                && methods.right().stream().noneMatch(Tried::failed);
+                && methods.right().stream().noneMatch(MethodResult::failed);
     }
 
     private static MethodsOnInput<?, ?, ?> methods(String topic, String json) {

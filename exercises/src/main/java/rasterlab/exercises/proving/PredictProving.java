@@ -16,7 +16,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Predicting;
-import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.predicting.Question;
 import rasterlab.exercises.predicting.Sheet;
 import rasterlab.exercises.predicting.SheetGrading;
@@ -112,7 +112,7 @@ final class PredictProving {
     /** The right answer but for its last field. */
     private JsonNode wrong(Question question) {
         ObjectNode answer = question.right();
-        Asked last = rules.asked().get(rules.asked().size() - 1);
+        PredictedField last = rules.asked().get(rules.asked().size() - 1);
         answer.set(last.field(), other(answer.get(last.field()), last.words()));
         return answer;
     }

@@ -54,7 +54,9 @@ public record Proof(
                 faults.add(Phrase.of("proof.asked", one.mistake()));
         }
         int most =
-                exercise.form() == Exercise.Form.BREAK ? STARTING_INPUT_AT_MOST : STARTER_AT_MOST;
+                exercise.form() == Exercise.TaskKind.BREAK
+                        ? STARTING_INPUT_AT_MOST
+                        : STARTER_AT_MOST;
         starter.ifPresent(points -> addStarter(points, most, faults));
         model.ifPresent(points -> addModel(points, faults));
         return faults;

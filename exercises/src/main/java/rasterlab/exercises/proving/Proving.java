@@ -16,7 +16,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
@@ -30,7 +30,7 @@ public final class Proving {
     private final Exercise exercise;
     private final TopicGrading grading;
     private final Topic<?, ?, ?> topic;
-    private final Map<Case, List<TopicGrading.Call>> calls;
+    private final Map<Case, List<TopicGrading.GradedCall>> calls;
 
     private Proving(Exercise exercise, long seed) {
         this.exercise = exercise;
@@ -41,8 +41,8 @@ public final class Proving {
 
     /** The proof without the exercise's sources. */
     public static Proof of(Exercise exercise, long seed) {
-        if (exercise.form() == Exercise.Form.BREAK) return BreakProving.of(exercise, seed);
-        if (exercise.form() == Exercise.Form.PREDICT) return PredictProving.of(exercise, seed);
+        if (exercise.form() == Exercise.TaskKind.BREAK) return BreakProving.of(exercise, seed);
+        if (exercise.form() == Exercise.TaskKind.PREDICT) return PredictProving.of(exercise, seed);
         Proving proving = new Proving(exercise, seed);
         return new Proof(
                 exercise,
@@ -71,7 +71,7 @@ public final class Proving {
 
     /** The sheet that students begin with whose cases the seed draws. */
     private static String starter(Exercise exercise, long seed) {
-        return exercise.form() == Exercise.Form.PREDICT
+        return exercise.form() == Exercise.TaskKind.PREDICT
                 ? SheetText.open(exercise, seed)
                 : exercise.starter();
     }
@@ -100,8 +100,8 @@ public final class Proving {
                         new RightMethod(
                                 one.name(),
                                 promises(one),
-                                tried.points(Kind.ACCURACY),
-                                tried.points(Kind.STABILITY),
+                                tried.points(Criterion.ACCURACY),
+                                tried.points(Criterion.STABILITY),
                                 tried.failed(),
                                 tried.refused(),
                                 tried.breaking()));

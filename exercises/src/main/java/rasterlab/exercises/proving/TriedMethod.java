@@ -10,7 +10,7 @@ import rasterlab.engine.study.InputChanged;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.marking.Marking;
@@ -38,26 +38,26 @@ public final class TriedMethod {
      * The calls of each of the exercise's cases, on which many methods may be tried: what is right
      * there is worked out once for all of them.
      */
-    static Map<Case, List<TopicGrading.Call>> calls(
+    static Map<Case, List<TopicGrading.GradedCall>> calls(
             Exercise exercise, TopicGrading grading, long seed) {
         return calls(exercise, exercise.cases(), grading, seed);
     }
 
-    static Map<Case, List<TopicGrading.Call>> calls(
+    static Map<Case, List<TopicGrading.GradedCall>> calls(
             Exercise exercise, List<Case> cases, TopicGrading grading, long seed) {
-        Map<Case, List<TopicGrading.Call>> calls = new LinkedHashMap<>();
+        Map<Case, List<TopicGrading.GradedCall>> calls = new LinkedHashMap<>();
         for (Case one : cases) calls.put(one, grading.calls(one, exercise.tolerance(), seed));
         return calls;
     }
 
     /** Tries a method on calls of the exercise's cases. */
     static TriedMethod on(
-            Exercise exercise, Map<Case, List<TopicGrading.Call>> cases, Object method) {
+            Exercise exercise, Map<Case, List<TopicGrading.GradedCall>> cases, Object method) {
         Marking marking = new Marking(exercise);
         cases.forEach(
                 (one, calls) -> {
                     List<TriedCall> tried = new ArrayList<>();
-                    for (TopicGrading.Call call : calls)
+                    for (TopicGrading.GradedCall call : calls)
                         tried.add(TriedCall.answered(call, answer(call, method)));
                     marking.put(CaseTrial.tried(one, tried));
                 });
@@ -65,14 +65,18 @@ public final class TriedMethod {
     }
 
     /** The answer of a method of this program, or how it ends. */
-    public static Answer answer(TopicGrading.Call call, Object method) {
+    public static Answer answer(TopicGrading.GradedCall call, Object method) {
         try {
             return Answer.with(
-                    Answer.Ending.RETURNED, call.recorded(method, call.caps().items()), 1, "", "");
+                    Answer.CallEnding.RETURNED,
+                    call.recorded(method, call.caps().items()),
+                    1,
+                    "",
+                    "");
         } catch (LimitReached reached) {
-            return Answer.with(Answer.Ending.CUT, reached.recorded(), 1, "", "");
+            return Answer.with(Answer.CallEnding.CUT, reached.recorded(), 1, "", "");
         } catch (InputChanged changed) {
-            return Answer.without(Answer.Ending.OVERWROTE, "", "", "");
+            return Answer.without(Answer.CallEnding.OVERWROTE, "", "", "");
         } catch (RuntimeException | StackOverflowError thrown) {
             return Answer.threw(thrown.getClass().getName(), "" + thrown.getMessage(), 0, "");
         }
@@ -87,7 +91,7 @@ public final class TriedMethod {
                 .toList();
     }
 
-    int points(Kind kind) {
+    int points(Criterion kind) {
         List<String> paying = marking.paying();
         return exercise.cases().stream()
                 .filter(one -> one.kind() == kind && paying.contains(one.name()))
@@ -150,7 +154,7 @@ public final class TriedMethod {
 
     private static boolean isRefused(TriedCall call) {
         return call.answer()
-                .filter(one -> one.ending() == Answer.Ending.THREW)
+                .filter(one -> one.ending() == Answer.CallEnding.THREW)
                 .filter(one -> one.exception().equals(REFUSAL))
                 .isPresent();
     }

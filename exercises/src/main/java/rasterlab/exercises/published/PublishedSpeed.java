@@ -46,7 +46,7 @@ public record PublishedSpeed(
         out.writeStringField("item", item);
         out.writeStringField("errorUnit", errorUnit);
         out.writeArrayFieldStart("methods");
-        for (SpeedFigures.Method one : figures.methods()) {
+        for (SpeedFigures.MethodSpeed one : figures.methods()) {
             out.writeStartObject();
             out.writeStringField("name", one.name());
             write(out, one.ratio());

@@ -17,7 +17,7 @@ import rasterlab.exercises.child.Values;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.score.Answer;
-import rasterlab.exercises.score.Answer.Ending;
+import rasterlab.exercises.score.Answer.CallEnding;
 import rasterlab.exercises.score.Message;
 
 /**
@@ -35,21 +35,21 @@ final class Asked implements InvocationHandler {
     }
 
     /** One call's answer, as the child sent it. */
-    record Reply(int status, byte[] answer, String printed) {}
+    record CallReply(int status, byte[] answer, String printed) {}
 
     /** Sends a call to the child. */
     @FunctionalInterface
     interface Sending {
-        Reply send(ContractCall method, Object[] arguments)
-                throws ChildLost, InterruptedException, Threw;
+        CallReply send(ContractCall method, Object[] arguments)
+                throws ChildLost, InterruptedException, MethodException;
     }
 
     /** Carries what the method threw. */
-    static final class Threw extends Exception {
+    static final class MethodException extends Exception {
         private static final long serialVersionUID = 1L;
         private final transient Answer answer;
 
-        Threw(Answer answer) {
+        MethodException(Answer answer) {
             super(answer.exception(), null, false, false);
             this.answer = answer;
         }
@@ -102,10 +102,10 @@ final class Asked implements InvocationHandler {
         if (method.getDeclaringClass() == Object.class) return method.invoke(this, arguments);
         try {
             ContractCall call = contract.of(method);
-            Reply reply = sending.send(call, arguments);
+            CallReply reply = sending.send(call, arguments);
             asked = true;
             return replayed(call, reply, arguments);
-        } catch (Threw threw) {
+        } catch (MethodException threw) {
             ended = threw.answer;
             throw new Unanswered(threw);
         } catch (ChildLost | InterruptedException lost) {
@@ -113,10 +113,11 @@ final class Asked implements InvocationHandler {
         }
     }
 
-    private Object replayed(ContractCall call, Reply reply, Object[] arguments) throws ChildLost {
+    private Object replayed(ContractCall call, CallReply reply, Object[] arguments)
+            throws ChildLost {
         printed.append(reply.printed());
         told.update(reply.answer());
-        if (reply.status() == Wire.TOO_LONG) throw ended(Ending.TOO_LONG);
+        if (reply.status() == Wire.TOO_LONG) throw ended(CallEnding.TOO_LONG);
         ContractCall.Done done;
         try {
             var in = new DataInputStream(new ByteArrayInputStream(reply.answer()));
@@ -125,17 +126,17 @@ final class Asked implements InvocationHandler {
             throw new Unanswered(ChildLost.protocol(noAnswer));
         }
         items += done.items();
-        if (done.spoilt()) throw ended(Ending.OVERWROTE);
-        if (call.returnsValue() && done.value() == null) throw ended(Ending.NULL);
+        if (done.spoilt()) throw ended(CallEnding.OVERWROTE);
+        if (call.returnsValue() && done.value() == null) throw ended(CallEnding.NULL);
         if (Values.hasNull(done.value())) {
             ended = unusable(Message.of("answer.null-within"));
             throw new Unanswered(null);
         }
-        if (reply.status() == Wire.CUT) throw ended(Ending.CUT);
+        if (reply.status() == Wire.CUT) throw ended(CallEnding.CUT);
         return done.value();
     }
 
-    private Unanswered ended(Ending ending) {
+    private Unanswered ended(CallEnding ending) {
         ended = without(ending, "");
         return new Unanswered(null);
     }
@@ -148,12 +149,12 @@ final class Asked implements InvocationHandler {
     /**
      * An answer with an output; one that was cut has items, though its last call's are not counted.
      */
-    Answer with(Ending ending, Object output) {
-        long known = ending == Ending.CUT ? Math.max(1, items) : items;
+    Answer with(CallEnding ending, Object output) {
+        long known = ending == CallEnding.CUT ? Math.max(1, items) : items;
         return Answer.with(ending, output, known, digest(), Wire.cut(printed.toString()));
     }
 
-    Answer without(Ending ending, String message) {
+    Answer without(CallEnding ending, String message) {
         return Answer.without(ending, digest(), Wire.cut(message), Wire.cut(printed.toString()));
     }
 

@@ -40,8 +40,9 @@ final class BoxChoice {
         return new BoxChoice(launcher, jars, Duration.ofSeconds(10));
     }
 
-    Box choose(JudgeSettings.Box wanted) {
-        if (wanted == JudgeSettings.Box.PROCESS_LIMITS_ONLY) return plain("isolation.not-asked");
+    Box choose(JudgeSettings.Protection wanted) {
+        if (wanted == JudgeSettings.Protection.PROCESS_LIMITS_ONLY)
+            return plain("isolation.not-asked");
         return Programs.onPath("bwrap")
                 .map(this::inBubblewrap)
                 .orElseGet(() -> plain("isolation.no-bwrap"));

@@ -14,7 +14,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Breaking;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.breaking.HandedInputs;
-import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.judging.MethodsOnInput.MethodResult;
 import rasterlab.exercises.runner.process.Child;
 import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.runner.process.Launcher;
@@ -62,7 +62,7 @@ final class BreakRun {
     }
 
     /** The outcome of a faulty method, with its input. */
-    private record Broken(Tried tried, String input, Message which) {}
+    private record Broken(MethodResult tried, String input, Message which) {}
 
     /**
      * @param sent a JSON object, or an array of them
@@ -108,8 +108,8 @@ final class BreakRun {
             child.close();
             child = null;
             boolean large =
-                    lost.reason() == ChildLost.Reason.TIME
-                            || lost.reason() == ChildLost.Reason.MEMORY;
+                    lost.reason() == ChildLost.LossReason.TIME
+                            || lost.reason() == ChildLost.LossReason.MEMORY;
             if (!large || lost.isIdle()) throw lost;
             said.add(new Diagnostic(0, 0, Message.of("break.too-large").and(which)));
         }
@@ -119,20 +119,20 @@ final class BreakRun {
         return settings.patience().limit(settings.callLimit().multipliedBy(CALLS));
     }
 
-    private void take(List<Tried> faulty, String input, Message which) {
+    private void take(List<MethodResult> faulty, String input, Message which) {
         agreed = true;
-        for (Tried one : faulty)
+        for (MethodResult one : faulty)
             if (!broken.containsKey(one.method()) || better(one))
                 broken.put(one.method(), new Broken(one, input, which));
     }
 
-    private boolean better(Tried one) {
+    private boolean better(MethodResult one) {
         return one.failed() && !broken.get(one.method()).tried().failed();
     }
 
     /** Why the right methods do not speak for this input; nothing where they do. */
-    private static Message against(List<Tried> right) {
-        for (Tried one : right)
+    private static Message against(List<MethodResult> right) {
+        for (MethodResult one : right)
             if (one.failed()) return Message.of("break.disagree", one.method()).and(one.said());
         return right.stream()
                 .filter(one -> one.kind() == Verdict.Kind.REFUSED)
@@ -143,7 +143,7 @@ final class BreakRun {
     }
 
     /** The engine's words on why a method refuses. */
-    private static String reason(Tried refused) {
+    private static String reason(MethodResult refused) {
         return refused.said().sentences().get(0).arguments().get(0);
     }
 

@@ -90,7 +90,7 @@ public final class CalledProgram implements AutoCloseable {
                 children,
                 settings,
                 ContractCalls.of(topic.contract()),
-                Exercise.Caps.NONE,
+                Exercise.StatedLimits.NONE,
                 entry,
                 classes,
                 false);
@@ -192,7 +192,7 @@ public final class CalledProgram implements AutoCloseable {
                     throw new NoAnswer(
                             Verdict.Kind.REFUSED,
                             "your program sent more than "
-                                    + Exercise.Caps.MOST_ITEMS
+                                    + Exercise.StatedLimits.MOST_ITEMS
                                     + " items and was stopped");
             case NULL -> throw wrong("your program returned null");
             case OVERWROTE -> throw wrong("your program wrote into what it was only given to read");
@@ -229,7 +229,7 @@ public final class CalledProgram implements AutoCloseable {
     }
 
     /** One call of one method, which nobody judges. */
-    private static final class OneCall implements TopicGrading.Call {
+    private static final class OneCall implements TopicGrading.GradedCall {
         private final Method method;
         private final Object[] arguments;
         private LimitReached reached;
@@ -240,8 +240,8 @@ public final class CalledProgram implements AutoCloseable {
         }
 
         @Override
-        public TopicGrading.Caps caps() {
-            return TopicGrading.Caps.ofItems(Exercise.Caps.MOST_ITEMS);
+        public TopicGrading.CallLimits caps() {
+            return TopicGrading.CallLimits.ofItems(Exercise.StatedLimits.MOST_ITEMS);
         }
 
         @Override

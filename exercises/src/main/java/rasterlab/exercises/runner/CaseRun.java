@@ -11,7 +11,7 @@ import java.util.Random;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.runner.process.ChildLost;
@@ -29,7 +29,7 @@ final class CaseRun {
     private final long seed;
     private final Student student;
     private final List<Diagnostic> printed = new ArrayList<>();
-    private final List<Call> repeated = new ArrayList<>();
+    private final List<GradedCall> repeated = new ArrayList<>();
 
     CaseRun(Exercise exercise, TopicGrading topic, long seed, Student student) {
         this.exercise = exercise;
@@ -49,7 +49,7 @@ final class CaseRun {
     CaseTrial tryOut(Case one) throws ChildLost, InterruptedException {
         List<TriedCall> tried = new ArrayList<>();
         Shrinking shrinking = new Shrinking(student);
-        for (Call call : topic.calls(one, exercise.tolerance(), seed)) {
+        for (GradedCall call : topic.calls(one, exercise.tolerance(), seed)) {
             Optional<Finding> over = student.over();
             if (over.isPresent()) return CaseTrial.untried(one, over.get());
             TriedCall next = student.call(call);
@@ -97,11 +97,11 @@ final class CaseRun {
     }
 
     /** The calls that were answered both times, in the order of the second. */
-    List<Call> repeated() {
+    List<GradedCall> repeated() {
         return repeated;
     }
 
-    private static TriedCall notRepeatable(Call call) {
+    private static TriedCall notRepeatable(GradedCall call) {
         return TriedCall.failed(
                 call,
                 Finding.of(

@@ -40,7 +40,7 @@ final class Children implements AutoCloseable {
      * @throws ChildLost when this was closed, as for the children that were in use then
      */
     synchronized Child take(ChildKind kind) throws ChildLost {
-        if (closed) throw new ChildLost(ChildLost.Reason.KILLED, Message.of("child.no-judge"));
+        if (closed) throw new ChildLost(ChildLost.LossReason.KILLED, Message.of("child.no-judge"));
         Deque<Child> reserve = waiting.get(kind);
         while (!reserve.isEmpty()) {
             Child child = reserve.remove();

@@ -18,8 +18,8 @@ import rasterlab.engine.study.measuring.Rounds;
 import rasterlab.engine.study.measuring.Samples;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
-import rasterlab.exercises.TopicGrading.Timing;
+import rasterlab.exercises.TopicGrading.GradedCall;
+import rasterlab.exercises.TopicGrading.TimingInputs;
 import rasterlab.exercises.score.SpeedFigures;
 
 /**
@@ -56,12 +56,12 @@ final class Classics {
      * @param reference as the topic calls it
      * @param calls the same ones each time, of which at least one tells an error
      */
-    synchronized List<SpeedFigures.Method> beside(
+    synchronized List<SpeedFigures.MethodSpeed> beside(
             Exercise exercise,
             TopicGrading topic,
-            Timing timing,
+            TimingInputs timing,
             Object reference,
-            List<Call> calls) {
+            List<GradedCall> calls) {
         String key = exercise.id() + ' ' + exercise.revision();
         Map<String, Double> known = errors.computeIfAbsent(key, first -> errors(topic, calls));
         Map<String, Object> methods = new LinkedHashMap<>(topic.classics());
@@ -69,14 +69,14 @@ final class Classics {
         methods.values().removeIf(method -> !answers(method, timing));
         Map<String, MedianInterval> ratios =
                 ratios(methods, reference, timing, warm.add(key) ? FIRST_ROUNDS : 0);
-        List<SpeedFigures.Method> beside = new ArrayList<>();
+        List<SpeedFigures.MethodSpeed> beside = new ArrayList<>();
         for (String name : methods.keySet())
-            beside.add(new SpeedFigures.Method(name, ratios.get(name), known.get(name)));
+            beside.add(new SpeedFigures.MethodSpeed(name, ratios.get(name), known.get(name)));
         return beside;
     }
 
     /** The errors by name, without those that refuse a call. */
-    private static Map<String, Double> errors(TopicGrading topic, List<Call> calls) {
+    private static Map<String, Double> errors(TopicGrading topic, List<GradedCall> calls) {
         Map<String, Double> errors = new HashMap<>();
         topic.classics()
                 .forEach(
@@ -90,9 +90,9 @@ final class Classics {
         return errors;
     }
 
-    private static double error(Object method, List<Call> calls) {
+    private static double error(Object method, List<GradedCall> calls) {
         double worst = 0;
-        for (Call call : calls) {
+        for (GradedCall call : calls) {
             OptionalDouble error;
             try {
                 error = call.error(call.recorded(method, call.caps().items()));
@@ -104,7 +104,7 @@ final class Classics {
         return worst;
     }
 
-    private static boolean answers(Object method, Timing timing) {
+    private static boolean answers(Object method, TimingInputs timing) {
         try {
             return timing.spent(0, method) > 0;
         } catch (IllegalArgumentException refused) {
@@ -119,7 +119,7 @@ final class Classics {
      * @param uncounted passes of each before the ones that count
      */
     private static Map<String, MedianInterval> ratios(
-            Map<String, Object> methods, Object reference, Timing timing, int uncounted) {
+            Map<String, Object> methods, Object reference, TimingInputs timing, int uncounted) {
         List<Object> all = new ArrayList<>(methods.values());
         all.add(reference);
         for (int round = 0; round < uncounted; round++) all.forEach(method -> pass(method, timing));
@@ -141,7 +141,7 @@ final class Classics {
     }
 
     /** Processor time counts: a busy machine gives a thread its turn later, not slower. */
-    private static double pass(Object method, Timing timing) {
+    private static double pass(Object method, TimingInputs timing) {
         long looked = System.nanoTime();
         long before = THREADS.getCurrentThreadCpuTime();
         long used = 0;

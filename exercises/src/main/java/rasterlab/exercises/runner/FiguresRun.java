@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.score.Answer;
@@ -32,8 +32,8 @@ final class FiguresRun {
      * @param cases what the student answered
      */
     Optional<SpeedFigures> of(
-            SpeedTrial.Outcome speed,
-            TopicGrading.Timing timing,
+            SpeedTrial.SpeedOutcome speed,
+            TopicGrading.TimingInputs timing,
             Models.Model model,
             List<CaseTrial> cases) {
         List<TriedCall> judged =
@@ -44,7 +44,7 @@ final class FiguresRun {
         OptionalDouble error = error(judged);
         if (!speed.isKnown() || !speed.obstacle().isEmpty() || error.isEmpty())
             return Optional.empty();
-        List<Call> calls = judged.stream().map(TriedCall::call).toList();
+        List<GradedCall> calls = judged.stream().map(TriedCall::call).toList();
         Object reference = models.instance(exercise, topic, model);
         return Optional.of(
                 new SpeedFigures(
@@ -56,7 +56,8 @@ final class FiguresRun {
 
     /** Findings in hidden cases are not told, and hazards ask for more than accuracy. */
     private static boolean counts(CaseTrial tried) {
-        return tried.one().kind() == Kind.ACCURACY && tried.one().visibility() == Disclosure.OPEN;
+        return tried.one().kind() == Criterion.ACCURACY
+                && tried.one().visibility() == Disclosure.OPEN;
     }
 
     private static OptionalDouble error(List<TriedCall> calls) {
@@ -70,7 +71,7 @@ final class FiguresRun {
     private static OptionalDouble error(TriedCall tried) {
         boolean answered =
                 tried.answer()
-                        .filter(one -> one.ending() == Answer.Ending.RETURNED)
+                        .filter(one -> one.ending() == Answer.CallEnding.RETURNED)
                         .filter(one -> one.output().isPresent())
                         .isPresent();
         if (answered) return tried.call().error(tried.answer().get().output().get());

@@ -10,10 +10,10 @@ import java.util.OptionalInt;
 import java.util.function.Consumer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.marking.Marking;
@@ -119,9 +119,9 @@ final class GradingRun {
         List<CaseTrial> differing = cases.repeat(marking.cases());
         differing.forEach(marking::put);
         List<CaseReport> reports = marking.reports();
-        SpeedTrial.Outcome speed =
+        SpeedTrial.SpeedOutcome speed =
                 student.over().isPresent() || !aboveFloor(reports, marking.withheld())
-                        ? SpeedTrial.Outcome.none(tooInaccurate())
+                        ? SpeedTrial.SpeedOutcome.none(tooInaccurate())
                         : speed(student, children, cases.repeated(), marking);
         CaseReport speedReport = report(speed);
         progress.accept(speedReport);
@@ -157,7 +157,7 @@ final class GradingRun {
         return Optional.of(Message.of("mistake.not-repeatable").and(input));
     }
 
-    private CaseReport report(SpeedTrial.Outcome speed) {
+    private CaseReport report(SpeedTrial.SpeedOutcome speed) {
         int most = exercise.points().speed();
         String key = SpeedMemory.key(exercise, source);
         OptionalInt before = memory.band(key);
@@ -185,39 +185,39 @@ final class GradingRun {
     private boolean aboveFloor(List<CaseReport> reports, List<Case> withheld) {
         List<String> accuracy =
                 exercise.cases().stream()
-                        .filter(one -> one.kind() == Kind.ACCURACY)
+                        .filter(one -> one.kind() == Criterion.ACCURACY)
                         .map(Case::name)
                         .toList();
         List<CaseReport> counted =
                 reports.stream().filter(one -> accuracy.contains(one.name())).toList();
         int earned =
                 counted.stream().mapToInt(CaseReport::points).sum()
-                        - ReportSheet.sum(withheld, Kind.ACCURACY);
+                        - ReportSheet.sum(withheld, Criterion.ACCURACY);
         int possible = counted.stream().mapToInt(CaseReport::of).sum();
         return earned >= SpeedPoints.ACCURACY_FLOOR * possible;
     }
 
     /** A method that is stopped while it is timed loses the points for speed only. */
-    private SpeedTrial.Outcome speed(
-            Student student, Children children, List<Call> before, Marking marking)
+    private SpeedTrial.SpeedOutcome speed(
+            Student student, Children children, List<GradedCall> before, Marking marking)
             throws ChildLost, InterruptedException {
         try {
             if (settings.speed() == JudgeSettings.Speed.OFF)
-                return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
+                return SpeedTrial.SpeedOutcome.none(SpeedTrial.UNSETTLED);
             if (settings.speed() == JudgeSettings.Speed.ONCE)
                 return trial(student, student, before, marking).once();
             Optional<Models.Model> model = models.of(exercise, topic, children, settings);
-            if (model.isEmpty()) return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
+            if (model.isEmpty()) return SpeedTrial.SpeedOutcome.none(SpeedTrial.UNSETTLED);
             try (Student reference =
                     student(model.get().entry(), model.get().classes(), children)) {
                 SpeedTrial trial = trial(student, reference, before, marking);
-                SpeedTrial.Outcome outcome = trial.measure();
+                SpeedTrial.SpeedOutcome outcome = trial.measure();
                 figures = figures(outcome, trial, model.get(), marking);
                 return outcome;
             }
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;
-            return SpeedTrial.Outcome.none(
+            return SpeedTrial.SpeedOutcome.none(
                     lost.isIdle()
                             ? SpeedTrial.UNSETTLED
                             : Message.of(topic.inOwnWords("speed.stopped")).and(lost.said()));
@@ -225,7 +225,7 @@ final class GradingRun {
     }
 
     private SpeedTrial trial(
-            Student student, Student reference, List<Call> before, Marking marking) {
+            Student student, Student reference, List<GradedCall> before, Marking marking) {
         return new SpeedTrial(
                 contract,
                 exercise.caps(),
@@ -239,7 +239,7 @@ final class GradingRun {
     }
 
     private Optional<SpeedFigures> figures(
-            SpeedTrial.Outcome speed, SpeedTrial trial, Models.Model model, Marking marking) {
+            SpeedTrial.SpeedOutcome speed, SpeedTrial trial, Models.Model model, Marking marking) {
         var run = new FiguresRun(exercise, topic, models);
         return trial.last().flatMap(timing -> run.of(speed, timing, model, marking.cases()));
     }

@@ -20,7 +20,7 @@ public record JudgeSettings(
         Duration runLimit,
         boolean spares,
         Speed speed,
-        Box box) {
+        Protection box) {
     /** How speed is measured; where nobody asks for its points, that takes time for nothing. */
     public enum Speed {
         /** Speed is measured until times are settled. */
@@ -35,7 +35,7 @@ public record JudgeSettings(
     }
 
     /** Which protection to look for at start. */
-    public enum Box {
+    public enum Protection {
         /** Bubblewrap where it works, else process limits only. */
         STRONGEST,
         /** Process limits only, even where bubblewrap works. */
@@ -63,7 +63,7 @@ public record JudgeSettings(
                 Duration.ofSeconds(8),
                 true,
                 Speed.MEASURED,
-                Box.STRONGEST);
+                Protection.STRONGEST);
     }
 
     /** The settings without children in reserve: for a program that grades once and ends. */

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
@@ -63,14 +63,14 @@ final class ReportSheet {
                         .orElse(GradingVerdict.OK);
         ScorePoints points =
                 new ScorePoints(
-                        earned(cases, Kind.ACCURACY) - sum(withheld, Kind.ACCURACY),
-                        earned(cases, Kind.STABILITY) - sum(withheld, Kind.STABILITY),
+                        earned(cases, Criterion.ACCURACY) - sum(withheld, Criterion.ACCURACY),
+                        earned(cases, Criterion.STABILITY) - sum(withheld, Criterion.STABILITY),
                         speed.points(),
                         possible);
         return new Report(verdict, points, all, printed, isolation, nanos);
     }
 
-    private int earned(List<CaseReport> cases, Kind kind) {
+    private int earned(List<CaseReport> cases, Criterion kind) {
         List<String> names =
                 exercise.cases().stream()
                         .filter(one -> one.kind() == kind)
@@ -82,7 +82,7 @@ final class ReportSheet {
                 .sum();
     }
 
-    static int sum(List<Case> cases, Kind kind) {
+    static int sum(List<Case> cases, Criterion kind) {
         return cases.stream().filter(one -> one.kind() == kind).mapToInt(Case::points).sum();
     }
 

@@ -7,7 +7,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
@@ -36,7 +36,7 @@ final class Shrinking {
     /** Asks a student's method for more than counts. */
     interface Asking {
         /** The result of a batch; empty where the method was stopped: then it is asked no more. */
-        Optional<TriedCall> aside(Call call) throws InterruptedException;
+        Optional<TriedCall> aside(GradedCall call) throws InterruptedException;
 
         /** Processor time that was spent so. */
         Duration spentAside();
@@ -63,7 +63,7 @@ final class Shrinking {
     }
 
     private Optional<TriedCall> smaller(TriedCall tried) throws InterruptedException {
-        Iterator<Call> all = tried.call().smaller().iterator();
+        Iterator<GradedCall> all = tried.call().smaller().iterator();
         while (isTimeLeft() && all.hasNext()) {
             left--;
             Optional<TriedCall> one = student.aside(all.next());

@@ -34,8 +34,10 @@ final class Slowness {
         var pace = new Pace();
         TimedBatch batch;
         try {
-            TopicGrading.Timing timing = topic.timing(inputs);
-            batch = new TimedBatch(ContractCalls.of(topic.contract()), timing, Exercise.Caps.NONE);
+            TopicGrading.TimingInputs timing = topic.timing(inputs);
+            batch =
+                    new TimedBatch(
+                            ContractCalls.of(topic.contract()), timing, Exercise.StatedLimits.NONE);
         } catch (LimitReached | IllegalArgumentException untimed) {
             return OptionalDouble.empty();
         }

@@ -15,7 +15,7 @@ final class SourceText {
     private SourceText() {}
 
     /** Why a source is not even compiled. */
-    record Fault(GradingVerdict verdict, Diagnostic diagnostic) {}
+    record SourceFault(GradingVerdict verdict, Diagnostic diagnostic) {}
 
     /**
      * The source without the byte order mark that some editors put in front, such as Windows
@@ -25,11 +25,11 @@ final class SourceText {
         return source.startsWith("\uFEFF") ? source.substring(1) : source;
     }
 
-    static Optional<Fault> faultOf(String source) {
+    static Optional<SourceFault> faultOf(String source) {
         if (source.length() > Grading.MOST_SOURCE_BYTES
                 || source.getBytes(StandardCharsets.UTF_8).length > Grading.MOST_SOURCE_BYTES)
             return Optional.of(
-                    new Fault(
+                    new SourceFault(
                             GradingVerdict.REFUSED,
                             new Diagnostic(
                                     0, 0, Message.of("source.long", Grading.MOST_SOURCE_BYTES))));
@@ -61,7 +61,7 @@ final class SourceText {
     }
 
     /** Counts brackets wherever they stand; text and comments with 200 open ones are unlikely. */
-    private static Optional<Fault> tooDeep(String source) {
+    private static Optional<SourceFault> tooDeep(String source) {
         int depth = 0;
         for (int i = 0; i < source.length(); i++) {
             char c = source.charAt(i);
@@ -72,7 +72,7 @@ final class SourceText {
         return Optional.empty();
     }
 
-    private static Optional<Fault> fault(String source, int at, Message said) {
+    private static Optional<SourceFault> fault(String source, int at, Message said) {
         int line = 1;
         int lineStart = 0;
         for (int i = 0; i < at; i++) {
@@ -83,7 +83,7 @@ final class SourceText {
             }
         }
         return Optional.of(
-                new Fault(
+                new SourceFault(
                         GradingVerdict.COMPILE_ERROR,
                         new Diagnostic(line, at - lineStart + 1, said)));
     }

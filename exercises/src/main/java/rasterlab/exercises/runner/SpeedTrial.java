@@ -13,7 +13,7 @@ import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.engine.study.measuring.RoundPlan;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.runner.process.Daemons;
@@ -45,17 +45,17 @@ final class SpeedTrial {
     private static final int MOST_TRIES = 4;
 
     private final ContractCalls contract;
-    private final Exercise.Caps caps;
+    private final Exercise.StatedLimits caps;
     private final TopicGrading.Timings timings;
     private final UnaryOperator<String> words;
     private final Student student;
     private final Student reference;
-    private final List<Call> before;
+    private final List<GradedCall> before;
     private final Set<String> charged;
     private final Patience patience;
     private final Pace pace = new Pace();
     private boolean printed;
-    private Optional<TopicGrading.Timing> last = Optional.empty();
+    private Optional<TopicGrading.TimingInputs> last = Optional.empty();
 
     /**
      * @param caps limits of a call that the exercise states
@@ -68,12 +68,12 @@ final class SpeedTrial {
      */
     SpeedTrial(
             ContractCalls contract,
-            Exercise.Caps caps,
+            Exercise.StatedLimits caps,
             TopicGrading.Timings timings,
             UnaryOperator<String> words,
             Student student,
             Student reference,
-            List<Call> before,
+            List<GradedCall> before,
             Set<String> charged,
             Patience patience) {
         this.contract = contract;
@@ -95,10 +95,10 @@ final class SpeedTrial {
      * @param printed whether the method printed, which takes time
      * @param obstacle why it was not measured; nothing where it was
      */
-    record Outcome(
+    record SpeedOutcome(
             Optional<MedianInterval> ratio, double reference, boolean printed, Message obstacle) {
-        static Outcome none(Message obstacle) {
-            return new Outcome(Optional.empty(), 0, false, obstacle);
+        static SpeedOutcome none(Message obstacle) {
+            return new SpeedOutcome(Optional.empty(), 0, false, obstacle);
         }
 
         boolean isKnown() {
@@ -128,17 +128,17 @@ final class SpeedTrial {
      * Measures until the interval of the ratio tells the points and the child's clock can be
      * believed. A busy machine may allow neither.
      */
-    Outcome measure() throws ChildLost, InterruptedException {
+    SpeedOutcome measure() throws ChildLost, InterruptedException {
         for (int left = MOST_TRIES; left > 0; left--) {
             Optional<Message> obstacle = tried();
-            if (obstacle.isPresent()) return Outcome.none(obstacle.get());
+            if (obstacle.isPresent()) return SpeedOutcome.none(obstacle.get());
             if (pace.isSettled() && isCertain(pace.ratio())) break;
         }
-        if (pace.pairs() == 0) return Outcome.none(UNSETTLED);
+        if (pace.pairs() == 0) return SpeedOutcome.none(UNSETTLED);
         if (pace.isSettled() || pace.isRoughlyTold()) return told(Message.NONE);
         return patience.isBusy() || pace.isCredible()
                 ? told(UNSETTLED)
-                : new Outcome(
+                : new SpeedOutcome(
                         Optional.of(pace.wallRatio()), pace.wallReference(), printed, Message.NONE);
     }
 
@@ -152,19 +152,19 @@ final class SpeedTrial {
     }
 
     /** The message of one batch: why nothing could be measured, or no more than that it could. */
-    Outcome once() throws ChildLost, InterruptedException {
-        TopicGrading.Timing timing = timings.next();
+    SpeedOutcome once() throws ChildLost, InterruptedException {
+        TopicGrading.TimingInputs timing = timings.next();
         StudentRun.Timed reply = student.run().time(new TimedBatch(contract, timing, caps));
-        return Outcome.none(obstacle(timing, reply).orElse(UNSETTLED));
+        return SpeedOutcome.none(obstacle(timing, reply).orElse(UNSETTLED));
     }
 
     /** The last inputs that both were timed on; empty before there were any. */
-    Optional<TopicGrading.Timing> last() {
+    Optional<TopicGrading.TimingInputs> last() {
         return last;
     }
 
-    private Outcome told(Message obstacle) {
-        return new Outcome(Optional.of(pace.ratio()), pace.reference(), printed, obstacle);
+    private SpeedOutcome told(Message obstacle) {
+        return new SpeedOutcome(Optional.of(pace.ratio()), pace.reference(), printed, obstacle);
     }
 
     /** Why nothing can be measured; empty where something was. */
@@ -174,7 +174,7 @@ final class SpeedTrial {
         long start = System.nanoTime();
         int counted = 0;
         while (counted < LEAST_ROUNDS || !pace.isSettled()) {
-            TopicGrading.Timing timing = timings.next();
+            TopicGrading.TimingInputs timing = timings.next();
             last = Optional.of(timing);
             TimedBatch batch = new TimedBatch(contract, timing, caps);
             StudentRun.Timed reply = student.run().time(batch);
@@ -213,7 +213,7 @@ final class SpeedTrial {
 
     private Void begun(Student one) throws ChildLost, InterruptedException {
         one.beginAnew();
-        for (Call call : before) one.call(call);
+        for (GradedCall call : before) one.call(call);
         return null;
     }
 
@@ -237,7 +237,7 @@ final class SpeedTrial {
     }
 
     /** An exception of the student's own is not named: its name may tell what it was thrown for. */
-    private Optional<Message> obstacle(TopicGrading.Timing timing, StudentRun.Timed reply) {
+    private Optional<Message> obstacle(TopicGrading.TimingInputs timing, StudentRun.Timed reply) {
         if (!reply.thrown().isEmpty())
             return Optional.of(
                     Answer.isOfTheJdk(reply.thrown())

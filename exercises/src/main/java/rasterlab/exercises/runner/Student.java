@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.runner.process.Child;
@@ -24,14 +24,14 @@ final class Student implements AutoCloseable, Shrinking.Asking {
     static final int MOST_STOPS = 5;
 
     /** A call that does not count takes no longer than all such calls may. */
-    private static final Exercise.Caps ASIDE =
-            new Exercise.Caps(
+    private static final Exercise.StatedLimits ASIDE =
+            new Exercise.StatedLimits(
                     OptionalInt.empty(), OptionalInt.empty(), Optional.of(Shrinking.MOST_TIME));
 
     private final Children children;
     private final JudgeSettings settings;
     private final ContractCalls contract;
-    private final Exercise.Caps caps;
+    private final Exercise.StatedLimits caps;
     private final String entry;
     private final Map<String, byte[]> classes;
     private final boolean again;
@@ -54,7 +54,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
             Children children,
             JudgeSettings settings,
             ContractCalls contract,
-            Exercise.Caps caps,
+            Exercise.StatedLimits caps,
             String entry,
             Map<String, byte[]> classes,
             boolean again) {
@@ -105,7 +105,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
         StudentRun run = new StudentRun(child, contract, settings.callLimit(), settings.patience());
         loaded = Optional.of(new Loaded(child, run));
         Answer answer = run.load(entry, classes);
-        return answer.ending() == Answer.Ending.THREW
+        return answer.ending() == Answer.CallEnding.THREW
                 ? Optional.of(
                         Finding.of(
                                 GradingVerdict.RUNTIME_ERROR,
@@ -114,7 +114,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
     }
 
     /** One call, in a fresh child where the last was stopped. */
-    TriedCall call(Call call) throws ChildLost, InterruptedException {
+    TriedCall call(GradedCall call) throws ChildLost, InterruptedException {
         try {
             return TriedCall.answered(call, twice(() -> answer(call)));
         } catch (ChildLost lost) {
@@ -127,7 +127,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
 
     /** {@inheritDoc} Neither its time nor its end counts. */
     @Override
-    public Optional<TriedCall> aside(Call call) throws InterruptedException {
+    public Optional<TriedCall> aside(GradedCall call) throws InterruptedException {
         if (loaded.isEmpty()) return Optional.empty();
         StudentRun run = loaded.get().run();
         Duration before = run.used();
@@ -147,7 +147,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
         return spentAside;
     }
 
-    private Answer answer(Call call) throws ChildLost, InterruptedException {
+    private Answer answer(GradedCall call) throws ChildLost, InterruptedException {
         if (loaded.isEmpty()) {
             Optional<Finding> fault = loadOnce();
             if (fault.isPresent()) throw new NotLoaded(fault.get());
@@ -217,7 +217,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
      */
     StudentRun run() throws ChildLost, InterruptedException {
         if (loaded.isEmpty() && loadOnce().isPresent())
-            throw new ChildLost(ChildLost.Reason.ENDED, Message.of("child.no-load"));
+            throw new ChildLost(ChildLost.LossReason.ENDED, Message.of("child.no-load"));
         return loaded.orElseThrow().run();
     }
 

@@ -9,8 +9,8 @@ import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.WrongLength;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Caps;
-import rasterlab.exercises.TopicGrading.Told;
+import rasterlab.exercises.TopicGrading.CallLimits;
+import rasterlab.exercises.TopicGrading.TimedAnswers;
 import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Frames;
@@ -82,9 +82,9 @@ final class StudentRun {
                     (status, in) -> {
                         if (status == Wire.NOT_LOADABLE)
                             throw new IOException("cannot make an instance of " + entry);
-                        return Answer.without(Answer.Ending.RETURNED, "", "", "");
+                        return Answer.without(Answer.CallEnding.RETURNED, "", "", "");
                     });
-        } catch (Asked.Threw threw) {
+        } catch (Asked.MethodException threw) {
             return threw.answer();
         }
     }
@@ -94,16 +94,18 @@ final class StudentRun {
      *
      * @throws ChildLost when the child gave no answer; it is dead then
      */
-    Answer call(TopicGrading.Call call, Caps caps) throws ChildLost, InterruptedException {
+    Answer call(TopicGrading.GradedCall call, CallLimits caps)
+            throws ChildLost, InterruptedException {
         spent = Duration.ZERO;
         first = true;
         Asked asked = new Asked(contract, (method, arguments) -> send(caps, method, arguments));
         try {
-            return asked.with(Answer.Ending.RETURNED, call.recorded(asked.method(), caps.items()));
+            return asked.with(
+                    Answer.CallEnding.RETURNED, call.recorded(asked.method(), caps.items()));
         } catch (LimitReached reached) {
-            return asked.with(Answer.Ending.CUT, reached.recorded());
+            return asked.with(Answer.CallEnding.CUT, reached.recorded());
         } catch (InputChanged changed) {
-            return asked.without(Answer.Ending.OVERWROTE, "");
+            return asked.without(Answer.CallEnding.OVERWROTE, "");
         } catch (WrongLength other) {
             return asked.unusable(Message.of("answer.length", other.got(), other.asked()));
         } catch (SharedAnswer shared) {
@@ -118,12 +120,12 @@ final class StudentRun {
         } catch (RuntimeException unusable) {
             if (!asked.asked()) throw unusable;
             String message = unusable.getMessage();
-            return asked.without(Answer.Ending.UNUSABLE, message == null ? "" : message);
+            return asked.without(Answer.CallEnding.UNUSABLE, message == null ? "" : message);
         }
     }
 
-    private Asked.Reply send(Caps caps, ContractCall method, Object[] arguments)
-            throws ChildLost, InterruptedException, Asked.Threw {
+    private Asked.CallReply send(CallLimits caps, ContractCall method, Object[] arguments)
+            throws ChildLost, InterruptedException, Asked.MethodException {
         Request request =
                 new Request(
                         Wire.CALL,
@@ -135,7 +137,7 @@ final class StudentRun {
                             out.writeInt(method.number());
                             method.writeArguments(arguments, out);
                         });
-        Asked.Reply reply =
+        Asked.CallReply reply =
                 askWithin(
                         caps.processor().orElse(callLimit),
                         request,
@@ -145,7 +147,7 @@ final class StudentRun {
                                     && status != Wire.TOO_LONG)
                                 throw new IOException("status " + status + " after a call");
                             byte[] answer = Frames.read(in, Wire.MOST_ANSWER_BYTES);
-                            return new Asked.Reply(status, answer, Wire.cut(in.readUTF()));
+                            return new Asked.CallReply(status, answer, Wire.cut(in.readUTF()));
                         });
         first = false;
         return reply;
@@ -160,7 +162,8 @@ final class StudentRun {
      * @param thrown class of an exception; empty where there was none
      * @param tooLong whether an answer has more bytes than are taken
      */
-    record Timed(long nanos, long own, Told told, long printed, String thrown, boolean tooLong) {
+    record Timed(
+            long nanos, long own, TimedAnswers told, long printed, String thrown, boolean tooLong) {
         static Timed none(long nanos, String thrown, boolean tooLong) {
             return new Timed(nanos, 0, TimedBatch.NOTHING, 0, thrown, tooLong);
         }
@@ -180,7 +183,7 @@ final class StudentRun {
                     long count = in.readLong();
                     long sum = in.readLong();
                     long printed = in.readLong();
-                    Told told = new Told(count, sum, batch.looked(in));
+                    TimedAnswers told = new TimedAnswers(count, sum, batch.looked(in));
                     return new Timed(nanos, own, told, printed, "", false);
                 });
     }
@@ -191,7 +194,7 @@ final class StudentRun {
      * @throws ChildLost also when nothing is left, naming the whole limit
      */
     private <T> T askWithin(Duration limit, Request request, PayloadReader<T> reading)
-            throws ChildLost, InterruptedException, Asked.Threw {
+            throws ChildLost, InterruptedException, Asked.MethodException {
         Duration before = used();
         long start = System.nanoTime();
         T answer;
@@ -200,7 +203,7 @@ final class StudentRun {
             Duration passed = Duration.ofNanos(System.nanoTime() - start);
             spent = spent.plus(child.used().map(now -> now.minus(before)).orElse(passed));
         } catch (ChildLost lost) {
-            if (lost.reason() != ChildLost.Reason.TIME || lost.isIdle()) throw lost;
+            if (lost.reason() != ChildLost.LossReason.TIME || lost.isIdle()) throw lost;
             throw ChildLost.late(patience.limit(limit), limit);
         }
         if (spent.compareTo(limit) < 0) return answer;
@@ -209,7 +212,7 @@ final class StudentRun {
     }
 
     private <T> T ask(Request request, Duration limit, PayloadReader<T> reading)
-            throws ChildLost, InterruptedException, Asked.Threw {
+            throws ChildLost, InterruptedException, Asked.MethodException {
         Optional<T> answer =
                 child.ask(
                         request,
@@ -220,7 +223,7 @@ final class StudentRun {
                             return Optional.empty();
                         });
         if (answer.isPresent()) return answer.get();
-        throw new Asked.Threw(withMessage(thrown));
+        throw new Asked.MethodException(withMessage(thrown));
     }
 
     /** The message comes by itself, since asking for it runs the student's code once more. */

@@ -14,8 +14,8 @@ import java.util.Optional;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Timing;
-import rasterlab.exercises.TopicGrading.Told;
+import rasterlab.exercises.TopicGrading.TimedAnswers;
+import rasterlab.exercises.TopicGrading.TimingInputs;
 import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Frames;
@@ -28,11 +28,11 @@ import rasterlab.exercises.runner.process.Request;
  * The calls that a right method gets for the inputs of a batch, to be made of another and timed.
  */
 final class TimedBatch {
-    static final Told NOTHING = new Told(0, 0, Optional.empty());
+    static final TimedAnswers NOTHING = new TimedAnswers(0, 0, Optional.empty());
 
     private final ContractCalls contract;
-    private final Timing timing;
-    private final TopicGrading.Caps caps;
+    private final TimingInputs timing;
+    private final TopicGrading.CallLimits caps;
     private final int inputs;
     private final ByteArrayOutputStream arguments = new ByteArrayOutputStream();
     private int calls;
@@ -42,19 +42,19 @@ final class TimedBatch {
     /**
      * @param caps limits of a call that the exercise states
      */
-    TimedBatch(ContractCalls contract, Timing timing, Exercise.Caps caps) {
+    TimedBatch(ContractCalls contract, TimingInputs timing, Exercise.StatedLimits caps) {
         this(
                 contract,
                 timing,
-                TopicGrading.Caps.ofItems(timing.mostItems()).within(caps),
+                TopicGrading.CallLimits.ofItems(timing.mostItems()).within(caps),
                 0,
                 timing.inputs());
     }
 
     private TimedBatch(
             ContractCalls contract,
-            Timing timing,
-            TopicGrading.Caps caps,
+            TimingInputs timing,
+            TopicGrading.CallLimits caps,
             int firstInput,
             int pastLast) {
         this.contract = contract;

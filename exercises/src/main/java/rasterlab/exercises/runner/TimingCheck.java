@@ -6,7 +6,7 @@ import java.util.Random;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Timing;
+import rasterlab.exercises.TopicGrading.TimingInputs;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.MeasuredMethod;
 import rasterlab.exercises.child.Wire;
@@ -54,7 +54,7 @@ public final class TimingCheck {
     }
 
     private Optional<Phrase> next() {
-        Timing timing = timings.next();
+        TimingInputs timing = timings.next();
         int asked;
         try {
             asked = new TimedBatch(contract, timing, exercise.caps()).request().frame(0).length;
@@ -74,7 +74,7 @@ public final class TimingCheck {
     }
 
     /** Bytes of the right answer to an input that is looked at. */
-    private long answer(Timing timing, int input) {
+    private long answer(TimingInputs timing, int input) {
         var right = new MeasuredMethod(contract, timing.right(), timing.mostItems());
         try {
             timing.recorded(input, right.proxy());

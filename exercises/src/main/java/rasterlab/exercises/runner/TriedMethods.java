@@ -10,7 +10,7 @@ import java.util.List;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.breaking.BreakMain;
 import rasterlab.exercises.child.Frames;
-import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.judging.MethodsOnInput.MethodResult;
 import rasterlab.exercises.runner.process.Child;
 import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.runner.process.Request;
@@ -23,7 +23,7 @@ import rasterlab.exercises.score.Message;
  * @param right those that promise to be right
  * @param faulty none where the right ones do not agree
  */
-record TriedMethods(List<Tried> right, List<Tried> faulty) {
+record TriedMethods(List<MethodResult> right, List<MethodResult> faulty) {
     private static final int MOST_METHODS = 1000;
     private static final int MOST_SAID_BYTES = 1 << 16;
 
@@ -75,16 +75,16 @@ record TriedMethods(List<Tried> right, List<Tried> faulty) {
         return child.ask(request, limit, (status, in) -> new TriedMethods(read(in), read(in)));
     }
 
-    private static List<Tried> read(DataInputStream in) throws IOException {
+    private static List<MethodResult> read(DataInputStream in) throws IOException {
         int count = in.readInt();
         if (count < 0 || count > MOST_METHODS) throw new IOException(count + " methods");
-        List<Tried> tried = new ArrayList<>();
+        List<MethodResult> tried = new ArrayList<>();
         for (int left = count; left > 0; left--) {
             String name = in.readUTF();
             Verdict.Kind kind = Verdict.Kind.valueOf(in.readUTF());
             byte[] said = Frames.read(in, MOST_SAID_BYTES);
             tried.add(
-                    new Tried(
+                    new MethodResult(
                             name,
                             kind,
                             Message.ofData(new String(said, StandardCharsets.UTF_8), "")));

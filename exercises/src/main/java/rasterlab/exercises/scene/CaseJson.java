@@ -6,9 +6,9 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.util.RawValue;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.exercises.scene.MethodCase.Drawn;
-import rasterlab.exercises.scene.MethodCase.Found;
-import rasterlab.exercises.scene.MethodCase.Pixel;
+import rasterlab.exercises.scene.MethodCase.DrawnPixels;
+import rasterlab.exercises.scene.MethodCase.PlottedPixel;
+import rasterlab.exercises.scene.MethodCase.SearchFinding;
 
 /** Cases as JSON. */
 final class CaseJson {
@@ -25,26 +25,26 @@ final class CaseJson {
                 file.optional("found").map(CaseJson::found));
     }
 
-    private static Found found(SceneJsonPlace found) {
+    private static SearchFinding found(SceneJsonPlace found) {
         found.object("verdict", "seed");
-        return new Found(
+        return new SearchFinding(
                 found.at("verdict").text(),
                 found.at("seed").integer(Integer.MIN_VALUE, Integer.MAX_VALUE));
     }
 
-    private static Optional<Drawn> drawn(SceneJsonPlace file) {
+    private static Optional<DrawnPixels> drawn(SceneJsonPlace file) {
         Optional<SceneJsonPlace> cut = file.optional("drawnCut");
         if (cut.isPresent() && !file.has("drawn"))
             throw cut.get().wrong("must stand beside \"drawn\", which there is not");
         return file.optional("drawn")
                 .map(
                         pixels ->
-                                new Drawn(
+                                new DrawnPixels(
                                         pixels(pixels),
                                         cut.map(SceneJsonPlace::flag).orElse(false)));
     }
 
-    private static List<Pixel> pixels(SceneJsonPlace drawn) {
+    private static List<PlottedPixel> pixels(SceneJsonPlace drawn) {
         List<SceneJsonPlace> members = drawn.members();
         if (members.size() > MethodCase.MOST_DRAWN)
             throw drawn.wrong(
@@ -53,11 +53,11 @@ final class CaseJson {
         return members.stream().map(CaseJson::pixel).toList();
     }
 
-    private static Pixel pixel(SceneJsonPlace one) {
+    private static PlottedPixel pixel(SceneJsonPlace one) {
         List<SceneJsonPlace> members = one.members();
         if (members.size() != 2)
             throw one.wrong("must be a pixel [x, y], got %d members".formatted(members.size()));
-        return new Pixel(coordinate(members.get(0)), coordinate(members.get(1)));
+        return new PlottedPixel(coordinate(members.get(0)), coordinate(members.get(1)));
     }
 
     private static int coordinate(SceneJsonPlace one) {
@@ -79,9 +79,9 @@ final class CaseJson {
         return file.toString();
     }
 
-    private static void write(Drawn drawn, ObjectNode file) {
+    private static void write(DrawnPixels drawn, ObjectNode file) {
         ArrayNode pixels = file.putArray("drawn");
-        for (Pixel one : drawn.pixels()) pixels.addArray().add(one.x()).add(one.y());
+        for (PlottedPixel one : drawn.pixels()) pixels.addArray().add(one.x()).add(one.y());
         if (drawn.cut()) file.put("drawnCut", true);
     }
 }

@@ -19,14 +19,14 @@ public record MethodCase(
         String topic,
         Optional<String> method,
         String input,
-        Optional<Drawn> drawn,
-        Optional<Found> found)
+        Optional<DrawnPixels> drawn,
+        Optional<SearchFinding> found)
         implements SceneFile {
     /** The most pixels that are kept of what was plotted. */
     public static final int MOST_DRAWN = 4096;
 
     /** A column and a row. */
-    public record Pixel(int x, int y) {}
+    public record PlottedPixel(int x, int y) {}
 
     /**
      * Pixels in the order in which they were plotted.
@@ -34,8 +34,8 @@ public record MethodCase(
      * @param pixels at most {@link #MOST_DRAWN}
      * @param cut whether more were plotted, or would have been
      */
-    public record Drawn(List<Pixel> pixels, boolean cut) {
-        public Drawn {
+    public record DrawnPixels(List<PlottedPixel> pixels, boolean cut) {
+        public DrawnPixels {
             pixels = List.copyOf(pixels);
             if (pixels.size() > MOST_DRAWN)
                 throw new IllegalArgumentException(
@@ -44,18 +44,18 @@ public record MethodCase(
         }
 
         /** The first {@link #MOST_DRAWN} pixels. */
-        public static Drawn of(Plotted plotted) {
+        public static DrawnPixels of(Plotted plotted) {
             PixelRecording all = plotted.pixels();
-            List<Pixel> first =
+            List<PlottedPixel> first =
                     IntStream.range(0, Math.min(MOST_DRAWN, all.size()))
-                            .mapToObj(i -> new Pixel(all.x(i), all.y(i)))
+                            .mapToObj(i -> new PlottedPixel(all.x(i), all.y(i)))
                             .toList();
-            return new Drawn(first, plotted.cut() || first.size() < all.size());
+            return new DrawnPixels(first, plotted.cut() || first.size() < all.size());
         }
 
         private Plotted plotted() {
             var recording = new PixelRecording(MOST_DRAWN);
-            for (Pixel one : pixels) recording.plot(one.x(), one.y());
+            for (PlottedPixel one : pixels) recording.plot(one.x(), one.y());
             return new Plotted(recording, cut);
         }
     }
@@ -66,14 +66,15 @@ public record MethodCase(
      * @param verdict that the method earned on it, such as "wrong"
      * @param seed of the search
      */
-    public record Found(String verdict, int seed) {}
+    public record SearchFinding(String verdict, int seed) {}
 
     public MethodCase {
         SceneJsonPlace.root(input).object();
     }
 
     /** An input that no search found. */
-    public MethodCase(String topic, Optional<String> method, String input, Optional<Drawn> drawn) {
+    public MethodCase(
+            String topic, Optional<String> method, String input, Optional<DrawnPixels> drawn) {
         this(topic, method, input, drawn, Optional.empty());
     }
 
@@ -84,7 +85,7 @@ public record MethodCase(
 
     /** The plotted pixels, as a method would have left them. */
     public Optional<Plotted> plotted() {
-        return drawn.map(Drawn::plotted);
+        return drawn.map(DrawnPixels::plotted);
     }
 
     /** This case as text; {@link SceneFile#read} gives back what is equal. */

@@ -18,7 +18,7 @@ import rasterlab.engine.geometry.Bounds;
  * @param said why the answer cannot be used, where words of ours tell that
  */
 public record Answer(
-        Ending ending,
+        CallEnding ending,
         Optional<Object> output,
         long items,
         String told,
@@ -32,7 +32,7 @@ public record Answer(
     }
 
     /** The ways in which a call ends. */
-    public enum Ending {
+    public enum CallEnding {
         RETURNED,
         /** The method was stopped because it went on beyond the limit of items. */
         CUT,
@@ -49,25 +49,25 @@ public record Answer(
 
     /** An answer with an output. */
     public static Answer with(
-            Ending ending, Object output, long items, String told, String printed) {
+            CallEnding ending, Object output, long items, String told, String printed) {
         return new Answer(
                 ending, Optional.of(output), items, told, "", "", 0, printed, Message.NONE);
     }
 
     /** An answer without an output. */
-    public static Answer without(Ending ending, String told, String message, String printed) {
+    public static Answer without(CallEnding ending, String told, String message, String printed) {
         return new Answer(ending, Optional.empty(), 0, told, "", message, 0, printed, Message.NONE);
     }
 
     /** An answer that cannot be used, for a reason in our own words. */
     public static Answer unusable(String told, Message said, String printed) {
-        return new Answer(Ending.UNUSABLE, Optional.empty(), 0, told, "", "", 0, printed, said);
+        return new Answer(CallEnding.UNUSABLE, Optional.empty(), 0, told, "", "", 0, printed, said);
     }
 
     /** The end of a method that threw something. */
     public static Answer threw(String exception, String message, int line, String printed) {
         return new Answer(
-                Ending.THREW,
+                CallEnding.THREW,
                 Optional.empty(),
                 0,
                 "",

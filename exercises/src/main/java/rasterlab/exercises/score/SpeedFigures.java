@@ -16,21 +16,21 @@ import rasterlab.engine.study.measuring.MedianInterval;
  * @param methods those of the topic that are kept as right ones and answer these inputs
  */
 public record SpeedFigures(
-        MedianInterval ratio, double reference, double error, List<Method> methods) {
+        MedianInterval ratio, double reference, double error, List<MethodSpeed> methods) {
     /**
      * A method of the topic.
      *
      * @param ratio of its time per item to that of the reference, above 0
      */
-    public record Method(String name, MedianInterval ratio, double error) {
-        public Method {
+    public record MethodSpeed(String name, MedianInterval ratio, double error) {
+        public MethodSpeed {
             requireTime(name, ratio.low());
             requireTime(name, ratio.high());
             requireError(name, error);
         }
 
         /** A method of whose ratio no interval is known. */
-        public Method(String name, double ratio, double error) {
+        public MethodSpeed(String name, double ratio, double error) {
             this(name, MedianInterval.exact(ratio), error);
         }
     }
@@ -44,7 +44,7 @@ public record SpeedFigures(
     }
 
     /** Figures of which no interval is known. */
-    public SpeedFigures(double nanos, double reference, double error, List<Method> methods) {
+    public SpeedFigures(double nanos, double reference, double error, List<MethodSpeed> methods) {
         this(MedianInterval.exact(nanos / reference), reference, error, methods);
     }
 

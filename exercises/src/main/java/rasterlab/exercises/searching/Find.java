@@ -28,6 +28,6 @@ public record Find(
                 Optional.of(method),
                 input,
                 Optional.empty(),
-                Optional.of(new MethodCase.Found(verdict.kind().code(), seed)));
+                Optional.of(new MethodCase.SearchFinding(verdict.kind().code(), seed)));
     }
 }

@@ -23,7 +23,7 @@ import rasterlab.engine.study.Workload;
 import rasterlab.exercises.document.OwnJson;
 import rasterlab.exercises.json.JsonSink;
 import rasterlab.exercises.json.StrictJson;
-import rasterlab.exercises.searching.TreeParts.Place;
+import rasterlab.exercises.searching.TreeParts.TreePlace;
 
 /** Makes inputs of a topic of trees, and trees of inputs. */
 final class SearchedInputs<C, I, O> {
@@ -148,17 +148,18 @@ final class SearchedInputs<C, I, O> {
      */
     private boolean fold(JsonNode tree, ArrayNode array) {
         Set<JsonNode> inside = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (Place number : new TreeParts(array).numbers()) inside.add(number.parent());
+        for (TreePlace number : new TreeParts(array).numbers()) inside.add(number.parent());
         int items = array.size();
-        List<Place> beyond =
+        List<TreePlace> beyond =
                 new TreeParts(tree)
                         .numbers().stream()
                                 .filter(number -> !inside.contains(number.parent()))
                                 .filter(number -> number.value().isInt())
                                 .filter(number -> number.value().intValue() >= items)
                                 .toList();
-        List<JsonNode> before = beyond.stream().map(Place::value).toList();
-        for (Place number : beyond) number.put(IntNode.valueOf(number.value().intValue() % items));
+        List<JsonNode> before = beyond.stream().map(TreePlace::value).toList();
+        for (TreePlace number : beyond)
+            number.put(IntNode.valueOf(number.value().intValue() % items));
         if (read(tree).isPresent()) return true;
         for (int i = 0; i < before.size(); i++) beyond.get(i).put(before.get(i));
         return false;

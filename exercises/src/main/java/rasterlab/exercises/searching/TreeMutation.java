@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import rasterlab.engine.border.BorderNumbers;
-import rasterlab.exercises.searching.TreeParts.Place;
+import rasterlab.exercises.searching.TreeParts.TreePlace;
 
 /**
  * Changes an input in one place, towards what methods stumble over: border numbers, equal and
@@ -47,7 +47,7 @@ final class TreeMutation {
 
     private void changeLeaf(TreeParts parts) {
         if (parts.leaves().isEmpty()) return;
-        Place leaf = any(parts.leaves());
+        TreePlace leaf = any(parts.leaves());
         JsonNode value = leaf.value();
         if (value.isNumber()) leaf.put(TreeParts.number(finite(number(value, parts))));
         else if (value.isBoolean()) leaf.put(BooleanNode.valueOf(!value.booleanValue()));
@@ -82,7 +82,7 @@ final class TreeMutation {
     /** A character of the text becomes another one of any text. */
     private String text(String old, TreeParts parts) {
         if (old.isEmpty()) return old;
-        List<Place> texts =
+        List<TreePlace> texts =
                 parts.leaves().stream().filter(place -> place.value().isTextual()).toList();
         String other = any(texts).value().textValue();
         if (other.isEmpty()) return old;
@@ -94,16 +94,16 @@ final class TreeMutation {
 
     /** One number stands in place of all that are equal to it. */
     private void spread(TreeParts parts) {
-        List<Place> numbers = parts.numbers();
+        List<TreePlace> numbers = parts.numbers();
         if (numbers.isEmpty()) return;
         double old = any(numbers).value().doubleValue();
         JsonNode other = any(numbers).value();
-        for (Place place : numbers) if (place.value().doubleValue() == old) place.put(other);
+        for (TreePlace place : numbers) if (place.value().doubleValue() == old) place.put(other);
     }
 
     /** One number is set to another. */
     private void equate(TreeParts parts) {
-        List<Place> numbers = parts.numbers();
+        List<TreePlace> numbers = parts.numbers();
         if (!numbers.isEmpty()) any(numbers).put(any(numbers).value());
     }
 
@@ -153,25 +153,25 @@ final class TreeMutation {
 
     /** All numbers of one field, or of the whole input, become larger, smaller or farther out. */
     private void scale(TreeParts parts, JsonNode tree) {
-        List<Place> numbers = random.nextBoolean() ? parts.numbers() : ofOneField(tree);
+        List<TreePlace> numbers = random.nextBoolean() ? parts.numbers() : ofOneField(tree);
         boolean toTheBorder = random.nextInt(3) == 0;
         double factor =
                 toTheBorder ? toTheBorder(numbers) : Math.scalb(1.0, random.nextInt(121) - 60);
         boolean added = !toTheBorder && random.nextBoolean();
-        for (Place place : numbers) {
+        for (TreePlace place : numbers) {
             double old = place.value().doubleValue();
             place.put(TreeParts.number(finite(added ? old + factor : old * factor)));
         }
     }
 
-    private List<Place> ofOneField(JsonNode tree) {
+    private List<TreePlace> ofOneField(JsonNode tree) {
         List<JsonNode> fields = new ArrayList<>();
         for (JsonNode field : tree) if (field.isContainerNode()) fields.add(field);
         return fields.isEmpty() ? List.of() : new TreeParts(any(fields)).numbers();
     }
 
     /** The factor by which the largest of the numbers has a square that overflows or vanishes. */
-    private double toTheBorder(List<Place> numbers) {
+    private double toTheBorder(List<TreePlace> numbers) {
         double most =
                 numbers.stream()
                         .mapToDouble(n -> Math.abs(n.value().doubleValue()))

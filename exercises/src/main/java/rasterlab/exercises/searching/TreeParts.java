@@ -10,11 +10,11 @@ import java.util.List;
 
 /** The parts of an input as a tree, each with the place that it may be replaced at. */
 final class TreeParts {
-    private final List<Place> leaves = new ArrayList<>();
+    private final List<TreePlace> leaves = new ArrayList<>();
     private final List<ArrayNode> arrays = new ArrayList<>();
 
     /** Where a value stands: a field of an object, or an item of an array. */
-    record Place(JsonNode parent, String field, int index) {
+    record TreePlace(JsonNode parent, String field, int index) {
         JsonNode value() {
             return parent instanceof ObjectNode ? parent.get(field) : parent.get(index);
         }
@@ -31,10 +31,10 @@ final class TreeParts {
 
     private void add(JsonNode node) {
         if (node instanceof ObjectNode object)
-            for (String field : fields(object)) part(new Place(object, field, 0));
+            for (String field : fields(object)) part(new TreePlace(object, field, 0));
         if (node instanceof ArrayNode array) {
             arrays.add(array);
-            for (int i = 0; i < array.size(); i++) part(new Place(array, "", i));
+            for (int i = 0; i < array.size(); i++) part(new TreePlace(array, "", i));
         }
     }
 
@@ -44,18 +44,18 @@ final class TreeParts {
         return names;
     }
 
-    private void part(Place place) {
+    private void part(TreePlace place) {
         if (place.value().isContainerNode()) add(place.value());
         else leaves.add(place);
     }
 
     /** Numbers, words and flags, in the order in which they are written. */
-    List<Place> leaves() {
+    List<TreePlace> leaves() {
         return leaves;
     }
 
     /** The numbers alone. */
-    List<Place> numbers() {
+    List<TreePlace> numbers() {
         return leaves.stream().filter(place -> place.value().isNumber()).toList();
     }
 

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import rasterlab.exercises.searching.TreeParts.Place;
+import rasterlab.exercises.searching.TreeParts.TreePlace;
 
 /** Makes an input simpler as long as it fails: fewer items, then simpler numbers. */
 final class TreeShrinking {
@@ -103,7 +103,7 @@ final class TreeShrinking {
      */
     private JsonNode with(int at, double old, double number, boolean all) {
         JsonNode candidate = best.deepCopy();
-        List<Place> numbers = new TreeParts(candidate).numbers();
+        List<TreePlace> numbers = new TreeParts(candidate).numbers();
         for (int i = 0; i < numbers.size(); i++)
             if (i == at || all && numbers.get(i).value().doubleValue() == old)
                 numbers.get(i).put(TreeParts.number(number));

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.document.OwnJson;
 import rasterlab.exercises.score.Message;
 
@@ -41,7 +41,7 @@ final class CaseInputs {
         }
         boolean several = given.isArray();
         return Message.of(
-                one.kind() == Kind.STABILITY ? "why.rare" : "why.fixed",
+                one.kind() == Criterion.STABILITY ? "why.rare" : "why.fixed",
                 several ? given.size() : 1,
                 cut(new TemplateText(NO_NUMBERS).of(several ? given.path(0) : given)));
     }

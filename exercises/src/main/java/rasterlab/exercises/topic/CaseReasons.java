@@ -12,7 +12,7 @@ import rasterlab.engine.study.Guard;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.score.Message;
 
 /**
@@ -62,7 +62,8 @@ public final class CaseReasons {
         return caught;
     }
 
-    private static List<String> mistakes(Exercise exercise, TopicGrading topic, List<Call> calls) {
+    private static List<String> mistakes(
+            Exercise exercise, TopicGrading topic, List<GradedCall> calls) {
         List<String> keys = new ArrayList<>();
         for (String mistake : new TreeSet<>(topic.mistakes())) {
             String key = "mutant." + topic.name() + "." + mistake;
@@ -94,7 +95,7 @@ public final class CaseReasons {
         return alone
                 ? Message.NONE
                 : exercise.group(one)
-                        .map(Exercise.Group::title)
+                        .map(Exercise.CaseGroup::title)
                         .map(title -> Message.of("why.asked", title.get("en"), title.get("ru")))
                         .orElse(Message.NONE);
     }

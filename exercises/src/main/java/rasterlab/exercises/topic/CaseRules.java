@@ -7,7 +7,7 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.drawing.NumberText;
 import rasterlab.exercises.score.Message;
@@ -39,7 +39,7 @@ public final class CaseRules {
     private static CaseRule of(Exercise exercise, Case one) {
         if (exercise.predicting().isPresent())
             return new CaseRule(predicted(exercise.predicting().get()), Message.NONE);
-        boolean strict = exercise.form() == Form.BREAK || OwnBound.isAskedFor(one);
+        boolean strict = exercise.form() == TaskKind.BREAK || OwnBound.isAskedFor(one);
         var held = strict ? exercise.tolerance().strict() : exercise.tolerance();
         Message tolerance = tolerance(exercise, held.worst());
         return new CaseRule(

@@ -18,10 +18,10 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.study.Mutant;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.judging.MethodsOnInput;
-import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.judging.MethodsOnInput.MethodResult;
 import rasterlab.exercises.proving.Proof;
 import rasterlab.exercises.proving.Proving;
 import rasterlab.exercises.score.Message;
@@ -33,7 +33,9 @@ class BreakExercisesTest {
     private static final int MOST_OF_A_STARTER = 9;
 
     static List<Exercise> exercises() {
-        return Catalogue.builtIn().all().stream().filter(one -> one.form() == Form.BREAK).toList();
+        return Catalogue.builtIn().all().stream()
+                .filter(one -> one.form() == TaskKind.BREAK)
+                .toList();
     }
 
     @Test
@@ -56,12 +58,15 @@ class BreakExercisesTest {
         var methods =
                 MethodsOnInput.of(
                         exercise.topic(), Phrase.quoted("starter"), handed.inputs().get(0));
-        assertTrue(methods.right().stream().noneMatch(Tried::failed), "right ones agree");
+        assertTrue(methods.right().stream().noneMatch(MethodResult::failed), "right ones agree");
         Set<String> names = Set.copyOf(exercise.cases().stream().map(Case::name).toList());
-        List<Tried> faulty = methods.faulty(names);
+        List<MethodResult> faulty = methods.faulty(names);
         assertFalse(faulty.isEmpty());
         Set<String> broken =
-                faulty.stream().filter(Tried::failed).map(Tried::method).collect(toSet());
+                faulty.stream()
+                        .filter(MethodResult::failed)
+                        .map(MethodResult::method)
+                        .collect(toSet());
         int earned =
                 exercise.cases().stream()
                         .filter(one -> broken.contains(one.name()))

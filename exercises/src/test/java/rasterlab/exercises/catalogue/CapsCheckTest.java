@@ -15,14 +15,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Capped;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Caps;
+import rasterlab.exercises.Exercise.StatedLimits;
 
 class CapsCheckTest {
     private static final Catalogue BUILT_IN = Catalogue.builtIn();
 
     static Stream<String> written() {
         return BUILT_IN.all().stream()
-                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                 .map(Exercise::id);
     }
 
@@ -35,7 +35,7 @@ class CapsCheckTest {
                         ".*exercise\\.json, field 'caps\\.bytes': the right answer of case "
                                 + "[a-z0-9-]+ has [1-9]\\d* bytes, at most 1 are taken"),
                 said);
-        taken(id, bytes(Caps.MOST_BYTES));
+        taken(id, bytes(StatedLimits.MOST_BYTES));
     }
 
     @Test
@@ -55,7 +55,8 @@ class CapsCheckTest {
     @Test
     @DisplayName("a limit of items is held against the bytes")
     void fewerItemsThanARightAnswerHasAreRefused() {
-        Caps nine = new Caps(OptionalInt.of(9), OptionalInt.empty(), Optional.empty());
+        StatedLimits nine =
+                new StatedLimits(OptionalInt.of(9), OptionalInt.empty(), Optional.empty());
         String said = refusal("circle", nine);
         assertTrue(said.contains("field 'caps.items'"), said);
         assertTrue(said.endsWith("items, at most 9 are taken"), said);
@@ -75,25 +76,25 @@ class CapsCheckTest {
         assertTrue(refused.contains("2\u00a0байт, а принимается не более 1"), refused);
     }
 
-    private static Caps bytes(int most) {
-        return new Caps(OptionalInt.empty(), OptionalInt.of(most), Optional.empty());
+    private static StatedLimits bytes(int most) {
+        return new StatedLimits(OptionalInt.empty(), OptionalInt.of(most), Optional.empty());
     }
 
-    private static String refusal(String id, Caps caps) {
+    private static String refusal(String id, StatedLimits caps) {
         CatalogueException refused = refused(id, caps);
         assertEquals(refused.getMessage(), refused.in("en"));
         return refused.getMessage();
     }
 
-    private static CatalogueException refused(String id, Caps caps) {
+    private static CatalogueException refused(String id, StatedLimits caps) {
         return assertThrows(CatalogueException.class, () -> check(id, caps));
     }
 
-    private static void taken(String id, Caps caps) {
+    private static void taken(String id, StatedLimits caps) {
         assertDoesNotThrow(() -> check(id, caps));
     }
 
-    private static void check(String id, Caps caps) {
+    private static void check(String id, StatedLimits caps) {
         CapsCheck.check(ExerciseFolder.onClassPath(id), Capped.with(BUILT_IN.named(id), caps));
     }
 }

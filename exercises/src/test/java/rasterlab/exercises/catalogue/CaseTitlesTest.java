@@ -9,7 +9,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 
 /** A title stands beside a verdict: "the last pixel is dropped: right" says the opposite. */
 class CaseTitlesTest {
@@ -26,7 +26,7 @@ class CaseTitlesTest {
     void titlesSayWhatIsAsked() {
         assertTrue(MISTAKE.matcher("single point is skipped").find());
         for (Exercise exercise : Catalogue.builtIn().all())
-            for (Case one : exercise.form() == Form.WRITE ? exercise.cases() : List.<Case>of())
+            for (Case one : exercise.form() == TaskKind.WRITE ? exercise.cases() : List.<Case>of())
                 for (String language : List.of("en", "ru")) {
                     String title = one.title(language);
                     String asked = title.replace("не перепутаны", "").replace("не уходит вбок", "");

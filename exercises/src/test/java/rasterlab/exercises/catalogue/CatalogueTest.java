@@ -30,8 +30,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Caps;
 import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.StatedLimits;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.StatementPicture;
 
@@ -100,7 +100,7 @@ class CatalogueTest {
             Exercise before = all.get(i - 1);
             Exercise one = all.get(i);
             int topics = course.indexOf(one.topic()) - course.indexOf(before.topic());
-            boolean late = one.form() == Exercise.Form.WRITE && before.form() != one.form();
+            boolean late = one.form() == Exercise.TaskKind.WRITE && before.form() != one.form();
             assertTrue(
                     topics > 0 || topics == 0 && !late, () -> one.id() + " after " + before.id());
         }
@@ -131,13 +131,13 @@ class CatalogueTest {
 
     @Test
     void anExerciseStatesLimitsOfACallOrHasTheUsualOnes() throws IOException {
-        assertEquals(Caps.NONE, Catalogue.builtIn().named("line-bresenham").caps());
+        assertEquals(StatedLimits.NONE, Catalogue.builtIn().named("line-bresenham").caps());
         change(
                 "exercise.json",
                 "\"points\"",
                 "\"caps\": {\"items\": 30000, \"bytes\": 500000, \"seconds\": 0.25}, \"points\"");
         assertEquals(
-                new Caps(
+                new StatedLimits(
                         OptionalInt.of(30_000),
                         OptionalInt.of(500_000),
                         Optional.of(Duration.ofMillis(250))),
@@ -148,7 +148,8 @@ class CatalogueTest {
     void picturesAreReadWithTheStatementAndChangeNoGrade() throws IOException {
         Exercise before = Catalogue.builtIn().withFolder(folder).named("my-line");
         assertEquals(Set.of("segment.svg"), before.pictures().keySet());
-        assertEquals(StatementPicture.Form.SVG, before.pictures().get("segment.svg").form());
+        assertEquals(
+                StatementPicture.PictureFormat.SVG, before.pictures().get("segment.svg").form());
         change("segment.svg", "#d55e00", "#0072b2");
         Exercise after = Catalogue.builtIn().withFolder(folder).named("my-line");
         assertEquals(before.revision(), after.revision());
@@ -165,7 +166,7 @@ class CatalogueTest {
         change("statement.en.md", "segment.svg", "window.png");
         Exercise before = Catalogue.builtIn().withFolder(folder).named("my-line");
         StatementPicture drawn = before.pictures().get("window.png");
-        assertEquals(StatementPicture.Form.PNG, drawn.form());
+        assertEquals(StatementPicture.PictureFormat.PNG, drawn.form());
         assertTrue(drawn.content("en").length > 100, "a picture of a segment");
         Exercise kept =
                 Catalogue.kept("my-line", Catalogue.builtIn().withFolder(folder).files("my-line"));

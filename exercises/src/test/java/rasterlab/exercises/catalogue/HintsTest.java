@@ -30,7 +30,7 @@ class HintsTest {
 
     static List<String> written() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                 .map(Exercise::id)
                 .toList();
     }

@@ -50,7 +50,8 @@ class ChapterTest {
         var reversed = new ArrayList<>(ALL);
         Collections.reverse(reversed);
         for (Chapter chapter : Chapter.of(reversed)) {
-            List<Exercise.Form> forms = chapter.exercises().stream().map(Exercise::form).toList();
+            List<Exercise.TaskKind> forms =
+                    chapter.exercises().stream().map(Exercise::form).toList();
             assertEquals(forms.stream().sorted().toList(), forms, chapter.topic());
         }
     }

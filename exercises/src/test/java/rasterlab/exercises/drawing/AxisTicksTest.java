@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.exercises.drawing.AxisTicks.Tick;
+import rasterlab.exercises.drawing.AxisTicks.AxisTick;
 
 class AxisTicksTest {
     @ParameterizedTest(name = "{0} to {1}: {2} {3}")
@@ -28,7 +28,8 @@ class AxisTicksTest {
     void labelsAreShort(double low, double high, String labels, String note) {
         AxisTicks ticks = AxisTicks.of(new AxisRange(low, high), 3);
         assertEquals(
-                labels, ticks.ticks().stream().map(Tick::label).collect(Collectors.joining(" ")));
+                labels,
+                ticks.ticks().stream().map(AxisTick::label).collect(Collectors.joining(" ")));
         assertEquals(note, ticks.note());
     }
 
@@ -43,7 +44,7 @@ class AxisTicksTest {
             String message = "seed " + seed + ": " + range;
             AxisTicks ticks = AxisTicks.of(range, 4);
             assertTrue(ticks.ticks().size() <= 5, message);
-            for (Tick tick : ticks.ticks()) {
+            for (AxisTick tick : ticks.ticks()) {
                 assertTrue(range.contains(tick.value()), message);
                 String digits = tick.label().replaceAll("[−.]", "").replaceAll("^0+", "");
                 assertTrue(digits.length() <= 5, message + " " + tick.label());

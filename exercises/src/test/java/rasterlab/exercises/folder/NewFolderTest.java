@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
@@ -55,7 +55,8 @@ class NewFolderTest {
         Exercise made = made(topic);
         assertFalse(made.cases().isEmpty());
         for (Exercise.Case one : made.cases())
-            for (TopicGrading.Call call : TopicGradings.of(made).calls(one, made.tolerance(), 1))
+            for (TopicGrading.GradedCall call :
+                    TopicGradings.of(made).calls(one, made.tolerance(), 1))
                 assertTrue(call.items() <= 20_000, one.name() + ": " + call.items());
     }
 
@@ -106,7 +107,7 @@ class NewFolderTest {
     }
 
     static Stream<Arguments> copied() {
-        return Stream.of(Form.BREAK, Form.PREDICT)
+        return Stream.of(TaskKind.BREAK, TaskKind.PREDICT)
                 .flatMap(
                         form ->
                                 CopiedFolder.topics(form).stream()
@@ -115,13 +116,13 @@ class NewFolderTest {
 
     @ParameterizedTest(name = "a new folder of the kind {0} on {1} is not valid")
     @MethodSource("copied")
-    void aNewFolderThatIsACopyIsValid(Form form, String topic) throws IOException {
+    void aNewFolderThatIsACopyIsValid(TaskKind form, String topic) throws IOException {
         Path folder = Files.createDirectory(parent.resolve("new-one"));
         var files = CopiedFolder.files(topic, form, "new-one").orElseThrow();
         for (Map.Entry<String, byte[]> file : files.entrySet())
             Files.write(folder.resolve(file.getKey()), file.getValue());
         assertEquals(List.of(), FolderCheck.faults(folder));
-        if (form == Form.BREAK) return; // its statement does not name it
+        if (form == TaskKind.BREAK) return; // its statement does not name it
         for (String statement : List.of("statement.en.md", "statement.ru.md"))
             assertTrue(Files.readString(folder.resolve(statement)).contains("new-one"), statement);
     }

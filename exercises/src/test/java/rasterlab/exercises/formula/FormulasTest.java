@@ -23,24 +23,24 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.scilab.forge.jlatexmath.MacroInfo;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 
 class FormulasTest {
     private final Formulas formulas = new Formulas();
 
-    private Typeset.Drawn drawn(String tex) {
+    private Typeset.FormulaOutline drawn(String tex) {
         Typeset set = formulas.set(new TexFormula(tex, false));
-        return assertInstanceOf(Typeset.Drawn.class, set, () -> tex + ": " + set);
+        return assertInstanceOf(Typeset.FormulaOutline.class, set, () -> tex + ": " + set);
     }
 
     @Test
     void standsOnItsBaseline() {
         Rectangle2D x = drawn("x").outline().getBounds2D();
         assertEquals(0, x.getMaxY(), 0.02, "an x ends at the line");
-        assertEquals(-Typeset.Drawn.X_HEIGHT, x.getMinY(), 0.02, "height of an x");
+        assertEquals(-Typeset.FormulaOutline.X_HEIGHT, x.getMinY(), 0.02, "height of an x");
         assertEquals(
-                -Typeset.Drawn.CAPITAL_HEIGHT,
+                -Typeset.FormulaOutline.CAPITAL_HEIGHT,
                 drawn("E").outline().getBounds2D().getMinY(),
                 0.02,
                 "height of a capital");
@@ -83,7 +83,7 @@ class FormulasTest {
     @ParameterizedTest(name = "the size leaves out a part of {0}")
     @ValueSource(strings = {"x", "\\frac{a}{b}", "\\sqrt{x^2}", "x_1", "\\boxed{a}", "\\sum_i^n"})
     void saysHowLargeItIs(String tex) {
-        Typeset.Drawn formula = drawn(tex);
+        Typeset.FormulaOutline formula = drawn(tex);
         Rectangle2D ink = formula.outline().getBounds2D();
         double leeway = 0.06;
         assertTrue(ink.getMinX() > -leeway && ink.getMaxX() < formula.width() + leeway, tex);
@@ -103,7 +103,7 @@ class FormulasTest {
     @Test
     void hasMoreRoomOnLinesOfItsOwn() {
         var inline = drawn("\\frac{a}{b}");
-        var own = (Typeset.Drawn) formulas.set(new TexFormula("\\frac{a}{b}", true));
+        var own = (Typeset.FormulaOutline) formulas.set(new TexFormula("\\frac{a}{b}", true));
         assertTrue(own.height() > 1.2 * inline.height());
     }
 
@@ -254,9 +254,10 @@ class FormulasTest {
                                     }
                                 });
                 for (TexFormula formula : found)
-                    assertInstanceOf(Typeset.Drawn.class, formulas.set(formula), formula.tex());
+                    assertInstanceOf(
+                            Typeset.FormulaOutline.class, formulas.set(formula), formula.tex());
                 assertTrue(
-                        !found.isEmpty() || exercise.form() != Form.WRITE,
+                        !found.isEmpty() || exercise.form() != TaskKind.WRITE,
                         exercise.id() + " in " + language + ": " + found);
             }
     }

@@ -26,8 +26,8 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.Criterion;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.marking.Marking;
@@ -54,7 +54,7 @@ class TopicExercisesTest {
     void aPlainRightMethodIsFullyAccurate(String id) throws Exception {
         for (long seed = SEED; seed < SEED + 20; seed++) {
             Tried tried = tried(id, reference(id), seed);
-            assertEquals(List.of(), tried.failed(Kind.ACCURACY), "seed " + seed);
+            assertEquals(List.of(), tried.failed(Criterion.ACCURACY), "seed " + seed);
         }
     }
 
@@ -79,8 +79,8 @@ class TopicExercisesTest {
     void theLabOpensWithAMethodThatIsRight(String id) throws Exception {
         Topic<?, ?, ?> topic = topic(id);
         for (Case one : Catalogue.builtIn().named(id).cases())
-            for (TopicGrading.Call call :
-                    TopicGradings.named(id).calls(one, new Tolerance(false), SEED)) {
+            for (TopicGrading.GradedCall call :
+                    TopicGradings.named(id).calls(one, new ExerciseTolerance(false), SEED)) {
                 JsonNode scene = new JsonMapper().readTree(call.scene());
                 String name = scene.get("method").asText();
                 Object method = topic.method(name).implementation();
@@ -175,9 +175,10 @@ class TopicExercisesTest {
     }
 
     private static Finding judged(String topic, String input, Object method) {
-        Case one = new Case("a-case", Map.of(), Kind.ACCURACY, Disclosure.OPEN, 1, input, false);
-        TopicGrading.Call call =
-                TopicGradings.named(topic).calls(one, new Tolerance(false), 1).get(0);
+        Case one =
+                new Case("a-case", Map.of(), Criterion.ACCURACY, Disclosure.OPEN, 1, input, false);
+        TopicGrading.GradedCall call =
+                TopicGradings.named(topic).calls(one, new ExerciseTolerance(false), 1).get(0);
         return call.judge(TriedMethod.answer(call, method));
     }
 
@@ -211,7 +212,7 @@ class TopicExercisesTest {
 
     /** The marking of all cases. */
     private record Tried(Exercise exercise, Marking marking) {
-        List<String> failed(Kind... kinds) {
+        List<String> failed(Criterion... kinds) {
             return exercise.cases().stream()
                     .filter(one -> List.of(kinds).contains(one.kind()))
                     .map(Case::name)

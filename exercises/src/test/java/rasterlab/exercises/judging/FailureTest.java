@@ -26,7 +26,7 @@ class FailureTest {
     @DisplayName("a Russian report goes on in English where an answer cannot be used")
     void whatIsWrongWithAnAnswerIsQuotedInTheReadersLanguage() {
         Answer unusable =
-                Answer.without(Answer.Ending.UNUSABLE, "", "12 shares were asked for", "");
+                Answer.without(Answer.CallEnding.UNUSABLE, "", "12 shares were asked for", "");
         assertEquals(
                 "возвращённое не может быть ответом; проверка сообщает: «12 shares were asked for»",
                 Failure.of(unusable, false).said().in("ru"));

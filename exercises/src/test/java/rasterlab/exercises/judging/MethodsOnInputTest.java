@@ -24,7 +24,7 @@ import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.CatalogueException;
-import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.judging.MethodsOnInput.MethodResult;
 import rasterlab.exercises.score.Phrase;
 
 /** The outcome of a method is told in the language of the reader. */
@@ -43,7 +43,7 @@ class MethodsOnInputTest {
             argument-returned | color  | возвращён тот же массив, который был передан, а не новый
             """)
     void anArrayThatIsNotTheCallersOwnIsToldInRussianToo(String method, String topic, String said) {
-        Tried tried = onItsHazard(Topics.named(topic), method);
+        MethodResult tried = onItsHazard(Topics.named(topic), method);
         assertEquals(Verdict.Kind.WRONG, tried.kind());
         assertEquals(said, tried.said().in("ru"));
     }
@@ -140,7 +140,7 @@ class MethodsOnInputTest {
         }
     }
 
-    private static <C> Tried onItsHazard(Topic<C, ?, ?> topic, String method) {
+    private static <C> MethodResult onItsHazard(Topic<C, ?, ?> topic, String method) {
         String hazard =
                 topic.mutants().stream()
                         .filter(one -> one.name().equals(method))

@@ -14,7 +14,7 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.property.SmallerInputs;
-import rasterlab.exercises.property.SmallerInputs.Smaller;
+import rasterlab.exercises.property.SmallerInputs.SmallerInput;
 import rasterlab.exercises.topic.TopicGradings;
 
 /**
@@ -40,7 +40,7 @@ class SmallerInputsAnsweredTest {
         for (Hazard<I> hazard : topic.hazards()) {
             Optional<JsonNode> input = told(topic, hazard.input());
             if (input.isEmpty()) continue;
-            SmallerInputs.of(Smaller.first(input.get()))
+            SmallerInputs.of(SmallerInput.first(input.get()))
                     .limit(MOST_OF_A_HAZARD)
                     .forEach(one -> answer(topic, one.json(), broken));
         }

@@ -18,7 +18,7 @@ import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Disclosure;
@@ -261,7 +261,7 @@ class FairMarkingTest {
     void generatedHiddenCasesCarryThreeFifthsOfTheAccuracy() {
         int generated =
                 EXERCISE.cases().stream()
-                        .filter(one -> one.kind() == Kind.ACCURACY && one.generated())
+                        .filter(one -> one.kind() == Criterion.ACCURACY && one.generated())
                         .mapToInt(Case::points)
                         .sum();
         assertTrue(generated >= 0.6 * EXERCISE.points().accuracy(), () -> generated + " points");

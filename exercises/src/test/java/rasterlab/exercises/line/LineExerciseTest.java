@@ -28,10 +28,10 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.Criterion;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.Grading.CaseSelection;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePicture;
@@ -99,7 +99,7 @@ class LineExerciseTest {
     }
 
     private static List<Case> accuracy() {
-        return EXERCISE.cases().stream().filter(one -> one.kind() == Kind.ACCURACY).toList();
+        return EXERCISE.cases().stream().filter(one -> one.kind() == Criterion.ACCURACY).toList();
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
@@ -150,7 +150,7 @@ class LineExerciseTest {
         Segment tied = new Segment(0, 0, 2, 1);
         PixelRecording upper = new PixelRecording(3);
         IntStream.of(0, 1, 2).forEach(x -> upper.plot(x, (x + 1) / 2));
-        Answer answer = answer(Answer.Ending.RETURNED, upper);
+        Answer answer = answer(Answer.CallEnding.RETURNED, upper);
         assertEquals(Finding.OK, call(tied, "", true).judge(answer));
         assertEquals(GradingVerdict.WRONG, call(tied, "", false).judge(answer).verdict());
         Finding finding = call(tied, ", \"strict\": true", true).judge(answer);
@@ -166,7 +166,7 @@ class LineExerciseTest {
         int n = Math.max(Math.abs(x1), Math.abs(y1));
         PixelRecording truncated = new PixelRecording(n + 1);
         for (int k = 0; k <= n; k++) truncated.plot(k * x1 / n, k * y1 / n);
-        Answer answer = answer(Answer.Ending.RETURNED, truncated);
+        Answer answer = answer(Answer.CallEnding.RETURNED, truncated);
         Finding finding = call(new Segment(0, 0, x1, y1), "", true).judge(answer);
         assertEquals(GradingVerdict.WRONG, finding.verdict());
         assertEquals(
@@ -196,7 +196,7 @@ class LineExerciseTest {
         for (String pixel : drawn.split(" "))
             pixels.plot(pixel.charAt(0) - '0', pixel.charAt(2) - '0');
         Segment segment = new Segment(0, 0, 2, 0);
-        Answer answer = answer(Answer.Ending.RETURNED, pixels);
+        Answer answer = answer(Answer.CallEnding.RETURNED, pixels);
         String said = call(segment, "", false).judge(answer).said().in("ru");
         assertTrue(said.matches(".*(пиксел).*") && !said.contains("pixel"), said);
     }
@@ -221,7 +221,7 @@ class LineExerciseTest {
         PixelRecording wrong = new PixelRecording(3);
         wrong.plot(0, -1);
         wrong.plot(1, 0);
-        Answer answer = answer(Answer.Ending.RETURNED, wrong);
+        Answer answer = answer(Answer.CallEnding.RETURNED, wrong);
         String scene = call(segment, "", true).scene(Optional.of(answer));
         assertTrue(scene.endsWith(",\"drawn\":[[0,-1],[1,0]]}"), scene);
     }
@@ -231,7 +231,7 @@ class LineExerciseTest {
         Segment segment = new Segment(0, 0, 9, 0);
         PixelRecording wrong = new PixelRecording(1);
         wrong.plot(0, -1);
-        Answer answer = answer(Answer.Ending.CUT, wrong);
+        Answer answer = answer(Answer.CallEnding.CUT, wrong);
         String scene = call(segment, "", true).scene(Optional.of(answer));
         assertTrue(scene.endsWith(",\"drawn\":[[0,-1]],\"drawnCut\":true}"), scene);
     }
@@ -243,7 +243,7 @@ class LineExerciseTest {
         twice.plot(0, 0);
         twice.plot(1, 0);
         twice.plot(1, 0);
-        Finding finding = call(segment, "", true).judge(answer(Answer.Ending.RETURNED, twice));
+        Finding finding = call(segment, "", true).judge(answer(Answer.CallEnding.RETURNED, twice));
         assertEquals("pixel (1, 0) is drawn again", finding.said().toString().split(";")[0]);
     }
 
@@ -253,7 +253,7 @@ class LineExerciseTest {
         Segment point = new Segment(4, 3, 4, 3);
         PixelRecording endless = new PixelRecording(9);
         for (int i = 0; i < 9; i++) endless.plot(4, 3);
-        assertMarked(point, endless, Answer.Ending.CUT);
+        assertMarked(point, endless, Answer.CallEnding.CUT);
     }
 
     @Test
@@ -262,7 +262,7 @@ class LineExerciseTest {
         PixelRecording backwards = new PixelRecording(2);
         backwards.plot(1, 0);
         backwards.plot(0, 0);
-        assertMarked(new Segment(0, 0, 1, 0), backwards, Answer.Ending.RETURNED);
+        assertMarked(new Segment(0, 0, 1, 0), backwards, Answer.CallEnding.RETURNED);
     }
 
     @Test
@@ -271,7 +271,7 @@ class LineExerciseTest {
         PixelRecording again = new PixelRecording(100);
         for (int x = 0; x < 99; x++) again.plot(x, 0);
         again.plot(98, 0);
-        assertMarked(new Segment(0, 0, 98, 0), again, Answer.Ending.RETURNED);
+        assertMarked(new Segment(0, 0, 98, 0), again, Answer.CallEnding.RETURNED);
     }
 
     @ParameterizedTest(name = "the picture shows another place than the message names: {0}, {1}")
@@ -280,7 +280,7 @@ class LineExerciseTest {
         Segment segment = new Segment(0, 0, 500, 0);
         PixelRecording drawn = new PixelRecording(501);
         for (int i = 0; i <= 500; i++) drawn.plot(i == 300 ? x : i, i == 300 ? y : 0);
-        Answer answer = answer(Answer.Ending.RETURNED, drawn);
+        Answer answer = answer(Answer.CallEnding.RETURNED, drawn);
         Finding finding = call(segment, "", true).judge(answer);
         assertTrue(finding.said().toString().startsWith("pixel (300, 0) is missing"));
         PicturePart part = finding.pictures().get(0).part().orElseThrow();
@@ -288,7 +288,8 @@ class LineExerciseTest {
         assertEquals(new Pixel(300, 0), part.pixel());
     }
 
-    private static void assertMarked(Segment segment, PixelRecording drawn, Answer.Ending ending) {
+    private static void assertMarked(
+            Segment segment, PixelRecording drawn, Answer.CallEnding ending) {
         Answer answer = answer(ending, drawn);
         List<CasePicture> pictures = call(segment, "", true).judge(answer).pictures();
         assertEquals(3, pictures.size());
@@ -296,7 +297,7 @@ class LineExerciseTest {
     }
 
     /** A case's only call, with further fields of its input. */
-    private static Call call(Segment s, String further, boolean eitherOnTies) {
+    private static GradedCall call(Segment s, String further, boolean eitherOnTies) {
         String input =
                 String.format(
                         Locale.ROOT,
@@ -306,11 +307,12 @@ class LineExerciseTest {
                         s.x1(),
                         s.y1(),
                         further);
-        Case one = new Case("a-case", Map.of(), Kind.ACCURACY, Disclosure.OPEN, 0, input, false);
-        return new LineGrading().calls(one, new Tolerance(eitherOnTies), 0).get(0);
+        Case one =
+                new Case("a-case", Map.of(), Criterion.ACCURACY, Disclosure.OPEN, 0, input, false);
+        return new LineGrading().calls(one, new ExerciseTolerance(eitherOnTies), 0).get(0);
     }
 
-    private static Answer answer(Answer.Ending ending, PixelRecording drawn) {
+    private static Answer answer(Answer.CallEnding ending, PixelRecording drawn) {
         return Answer.with(ending, drawn, drawn.size(), "", "");
     }
 }

@@ -7,9 +7,9 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Grading.CaseSelection;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCall;
@@ -28,37 +28,37 @@ record MarkedMethod(Exercise exercise, Marking marking) {
     }
 
     private static CaseTrial tried(Exercise exercise, Case one, LineRasterizer method, long seed) {
-        List<Call> calls = TopicGradings.named("line").calls(one, exercise.tolerance(), seed);
+        List<GradedCall> calls = TopicGradings.named("line").calls(one, exercise.tolerance(), seed);
         List<TriedCall> tried = new ArrayList<>();
-        for (Call call : calls) tried.add(TriedCall.answered(call, answer(method, call)));
+        for (GradedCall call : calls) tried.add(TriedCall.answered(call, answer(method, call)));
         return CaseTrial.tried(one, tried);
     }
 
-    private static Answer answer(LineRasterizer method, Call call) {
+    private static Answer answer(LineRasterizer method, GradedCall call) {
         try {
-            return answer(Answer.Ending.RETURNED, call.recorded(method, call.caps().items()));
+            return answer(Answer.CallEnding.RETURNED, call.recorded(method, call.caps().items()));
         } catch (LimitReached reached) {
-            return answer(Answer.Ending.CUT, reached.recorded());
+            return answer(Answer.CallEnding.CUT, reached.recorded());
         } catch (IllegalArgumentException | ArithmeticException e) {
             return Answer.threw(e.getClass().getName(), e.getMessage(), 0, "");
         }
     }
 
-    private static Answer answer(Answer.Ending ending, Object drawn) {
+    private static Answer answer(Answer.CallEnding ending, Object drawn) {
         long items = drawn instanceof PixelRecording pixels ? pixels.size() : 1;
         return Answer.with(ending, drawn, items, "", "");
     }
 
     /** Points for accuracy and stability together. */
     int points() {
-        return points(List.of(Kind.values()));
+        return points(List.of(Criterion.values()));
     }
 
     int accuracy() {
-        return points(List.of(Kind.ACCURACY));
+        return points(List.of(Criterion.ACCURACY));
     }
 
-    private int points(List<Kind> kinds) {
+    private int points(List<Criterion> kinds) {
         return exercise.cases().stream()
                 .filter(one -> kinds.contains(one.kind()))
                 .filter(one -> marking.paying().contains(one.name()))

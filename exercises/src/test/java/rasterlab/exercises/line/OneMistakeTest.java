@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
-import rasterlab.exercises.TopicGrading.Timing;
+import rasterlab.exercises.TopicGrading.TimingInputs;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.SpeedPoints;
 import rasterlab.exercises.topic.TopicGradings;
@@ -80,11 +80,13 @@ class OneMistakeTest {
                     if (Math.abs(x1 - x0) > Math.abs(y1 - y0))
                         new PlainBresenham().draw(x0, y0, x1, y1, out);
                 };
-        Timing left = TopicGradings.named("line").timings(EXERCISE, new Random(5), four).next();
+        TimingInputs left =
+                TopicGradings.named("line").timings(EXERCISE, new Random(5), four).next();
         assertEquals(left.count(), TimedHere.told(left, onlyGentle).count());
         List<Set<String>> more =
                 Stream.concat(four.stream(), Stream.of(Set.of("gentle", "left", "up"))).toList();
-        Timing all = TopicGradings.named("line").timings(EXERCISE, new Random(5), more).next();
+        TimingInputs all =
+                TopicGradings.named("line").timings(EXERCISE, new Random(5), more).next();
         assertTrue(TimedHere.told(all, onlyGentle).count() < all.count());
     }
 }

@@ -8,7 +8,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Timing;
+import rasterlab.exercises.TopicGrading.TimingInputs;
 import rasterlab.exercises.TopicGrading.Timings;
 import rasterlab.exercises.child.ItemSum;
 import rasterlab.exercises.marking.Marking;
@@ -24,7 +24,7 @@ final class TimedHere {
         Timings timings =
                 TopicGradings.named("line").timings(exercise, new Random(3), marking.uncharged());
         for (int round = 0; round < 2; round++) {
-            Timing timing = timings.next();
+            TimingInputs timing = timings.next();
             boolean paid =
                     timing.mistakes(told(timing, method)).filter(charged::containsAll).isPresent();
             if (!paid) return false;
@@ -33,7 +33,7 @@ final class TimedHere {
     }
 
     /** The answer that a child would send. */
-    static TopicGrading.Told told(Timing timing, LineRasterizer method) {
+    static TopicGrading.TimedAnswers told(TimingInputs timing, LineRasterizer method) {
         ItemSum sum = new ItemSum();
         for (int i = 0; i < timing.inputs(); i++) {
             PixelRecording drawn;
@@ -46,6 +46,6 @@ final class TimedHere {
             }
             for (int k = 0; k < drawn.size(); k++) sum.plot(drawn.x(k), drawn.y(k));
         }
-        return new TopicGrading.Told(sum.count(), sum.sum(), Optional.empty());
+        return new TopicGrading.TimedAnswers(sum.count(), sum.sum(), Optional.empty());
     }
 }

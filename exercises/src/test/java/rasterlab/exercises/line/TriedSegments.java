@@ -6,7 +6,7 @@ import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.topic.TopicGradings;
 
 /** The segments that a case has drawn. */
@@ -17,7 +17,7 @@ final class TriedSegments {
         List<Segment> segments = new ArrayList<>();
         LineRasterizer listening =
                 (x0, y0, x1, y1, out) -> segments.add(new Segment(x0, y0, x1, y1));
-        for (Call call : TopicGradings.named("line").calls(one, exercise.tolerance(), seed))
+        for (GradedCall call : TopicGradings.named("line").calls(one, exercise.tolerance(), seed))
             call.recorded(listening, call.caps().items());
         return segments;
     }

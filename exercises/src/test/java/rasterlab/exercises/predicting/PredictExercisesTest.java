@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.proving.Kill;
 import rasterlab.exercises.proving.Proof;
@@ -21,7 +21,7 @@ class PredictExercisesTest {
 
     static List<Exercise> all() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Form.PREDICT)
+                .filter(one -> one.form() == TaskKind.PREDICT)
                 .toList();
     }
 

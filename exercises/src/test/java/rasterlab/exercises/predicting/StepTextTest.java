@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.document.OwnJson;
 
@@ -72,7 +72,7 @@ class StepTextTest {
 
     static Stream<String> exercises() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Form.PREDICT)
+                .filter(one -> one.form() == TaskKind.PREDICT)
                 .map(Exercise::id);
     }
 }

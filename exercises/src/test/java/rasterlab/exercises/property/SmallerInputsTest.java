@@ -9,14 +9,14 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import rasterlab.exercises.property.SmallerInputs.Smaller;
+import rasterlab.exercises.property.SmallerInputs.SmallerInput;
 
 class SmallerInputsTest {
     private static final JsonMapper MAPPER = new JsonMapper();
     private static final long SEED = 20261127;
 
     private static List<String> of(String json) throws JsonProcessingException {
-        return SmallerInputs.of(Smaller.first(MAPPER.readTree(json)))
+        return SmallerInputs.of(SmallerInput.first(MAPPER.readTree(json)))
                 .map(one -> one.json().toString())
                 .toList();
     }
@@ -50,8 +50,8 @@ class SmallerInputsTest {
                                             random.nextInt(9) - 4,
                                             random.nextDouble()));
             int steps = 0;
-            Smaller at = Smaller.first(one);
-            for (List<Smaller> next = SmallerInputs.of(at).toList();
+            SmallerInput at = SmallerInput.first(one);
+            for (List<SmallerInput> next = SmallerInputs.of(at).toList();
                     !next.isEmpty();
                     next = SmallerInputs.of(at).toList()) {
                 // The last one takes the smallest step.

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.score.Message;
@@ -72,7 +72,7 @@ class FaultyMethodToldTest {
     void noTitleIsAnIdentifier() {
         assertAll(
                 Catalogue.builtIn().all().stream()
-                        .filter(one -> one.form() == Form.BREAK)
+                        .filter(one -> one.form() == TaskKind.BREAK)
                         .flatMap(one -> one.cases().stream())
                         .flatMap(one -> List.of(one.title("en"), one.title("ru")).stream())
                         .map(

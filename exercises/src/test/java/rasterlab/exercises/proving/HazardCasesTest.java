@@ -15,10 +15,10 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
-import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Exercise.Criterion;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -32,7 +32,7 @@ class HazardCasesTest {
         return new Case(
                 hazard,
                 Map.of(),
-                Kind.STABILITY,
+                Criterion.STABILITY,
                 Disclosure.OPEN,
                 1,
                 "{\"hazard\":\"" + hazard + "\"}",
@@ -45,7 +45,7 @@ class HazardCasesTest {
         TopicGrading grading = TopicGradings.named(topic);
         List<String> taken = new ArrayList<>();
         for (Hazard<?> one : Topics.named(topic).hazards())
-            for (Call call : calls(grading, one.name())) {
+            for (GradedCall call : calls(grading, one.name())) {
                 if (taken.isEmpty())
                     assertTrue(call.scene(Optional.empty()).contains(topic), one.name());
                 taken.add(one.name());
@@ -54,9 +54,9 @@ class HazardCasesTest {
         assertFalse(taken.isEmpty());
     }
 
-    private static List<Call> calls(TopicGrading grading, String hazard) {
+    private static List<GradedCall> calls(TopicGrading grading, String hazard) {
         try {
-            return grading.calls(asking(hazard), new Tolerance(false), 1);
+            return grading.calls(asking(hazard), new ExerciseTolerance(false), 1);
         } catch (CatalogueException untold) {
             assertTrue(untold.in("en").contains("field 'input'"), untold.in("en"));
             return List.of();
@@ -66,10 +66,10 @@ class HazardCasesTest {
     @Test
     void colorsThatAreToldOneByOneAreAskedForSo() {
         TopicGrading grading = TopicGradings.named("color");
-        List<Call> calls = calls(grading, "pure-colours");
+        List<GradedCall> calls = calls(grading, "pure-colours");
         assertEquals(6, calls.size());
         Object right = Topics.named("color").methods().get(0).implementation();
-        for (Call call : calls)
+        for (GradedCall call : calls)
             assertTrue(
                     call.judge(TriedMethod.answer(call, right)).right(), call.input().toString());
     }

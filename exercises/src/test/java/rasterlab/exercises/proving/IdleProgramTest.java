@@ -29,7 +29,7 @@ class IdleProgramTest {
 
     static Stream<String> idle() {
         return CATALOGUE.all().stream()
-                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                 .map(Exercise::id)
                 .filter(id -> !BUSY.contains(id));
     }

@@ -17,7 +17,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
@@ -38,7 +38,7 @@ class MessageLengthTest {
 
     static Stream<String> written() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                 .map(Exercise::id);
     }
 
@@ -56,7 +56,7 @@ class MessageLengthTest {
                 .forEach(wrong::add);
         Set<Object> toldOnce = new HashSet<>();
         for (Case one : exercise.cases())
-            for (Call call : few(grading.calls(one, exercise.tolerance(), SEED)))
+            for (GradedCall call : few(grading.calls(one, exercise.tolerance(), SEED)))
                 for (Object method : wrong) {
                     if (one.property().isEmpty() && toldOnce.contains(method)) continue;
                     Answer answer = TriedMethod.answer(call, method);
@@ -67,7 +67,7 @@ class MessageLengthTest {
         assertFalse(toldOnce.isEmpty(), "no mistake shows");
     }
 
-    private static List<Call> few(List<Call> calls) {
+    private static List<GradedCall> few(List<GradedCall> calls) {
         return calls.subList(0, Math.min(INPUTS, calls.size()));
     }
 

@@ -26,7 +26,7 @@ class ProvedExercisesTest {
 
     static List<String> exercises() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                 .map(Exercise::id)
                 .toList();
     }

@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -54,7 +54,8 @@ class StudentProgramsTest {
     private static final Path PROGRAMS = Path.of("src/test/resources/rasterlab/exercises/programs");
     private static final long SEED = 20261127;
     private static final int SEEDS = 3;
-    private static final Map<String, Map<Case, List<TopicGrading.Call>>> CALLS = new HashMap<>();
+    private static final Map<String, Map<Case, List<TopicGrading.GradedCall>>> CALLS =
+            new HashMap<>();
 
     @RegisterExtension
     static final StartedJudge JUDGE =
@@ -204,7 +205,7 @@ class StudentProgramsTest {
     }
 
     private static Predicate<Case> kept(Path file) {
-        return one -> !isMarked(file, "plain") || one.kind() == Kind.ACCURACY;
+        return one -> !isMarked(file, "plain") || one.kind() == Criterion.ACCURACY;
     }
 
     private static boolean isMarked(Path file, String mark) {
@@ -226,7 +227,7 @@ class StudentProgramsTest {
     }
 
     /** The calls of a seed, whose right answers are worked out once for all its programs. */
-    private static Map<Case, List<TopicGrading.Call>> calls(Exercise exercise, long seed) {
+    private static Map<Case, List<TopicGrading.GradedCall>> calls(Exercise exercise, long seed) {
         return CALLS.computeIfAbsent(
                 exercise.id() + " " + seed,
                 key -> TriedMethod.calls(exercise, TopicGradings.of(exercise), seed));

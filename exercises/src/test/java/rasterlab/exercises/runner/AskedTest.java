@@ -25,7 +25,7 @@ class AskedTest {
         sent.to(new DataOutputStream(bytes));
         return new Asked(
                 ContractCalls.of(MatrixFormula.class),
-                (call, arguments) -> new Asked.Reply(Wire.DONE, bytes.toByteArray(), ""));
+                (call, arguments) -> new Asked.CallReply(Wire.DONE, bytes.toByteArray(), ""));
     }
 
     private static double[][] rows(Asked asked) {
@@ -67,7 +67,7 @@ class AskedTest {
                         });
         assertThrows(Asked.Unanswered.class, () -> rows(asked));
         Answer answer = asked.ended().orElseThrow();
-        assertEquals(Answer.Ending.UNUSABLE, answer.ending());
+        assertEquals(Answer.CallEnding.UNUSABLE, answer.ending());
         assertEquals("there is null within what it returns", answer.said().in("en"));
         assertEquals("внутри возвращённого значения есть null", answer.said().in("ru"));
     }
@@ -99,7 +99,7 @@ class AskedTest {
         Asked asked = asked(sent);
         Throwable cause = assertThrows(Asked.Unanswered.class, () -> rows(asked)).getCause();
         ChildLost lost = (ChildLost) cause;
-        assertEquals(ChildLost.Reason.PROTOCOL, lost.reason());
+        assertEquals(ChildLost.LossReason.PROTOCOL, lost.reason());
         assertEquals(true, lost.getMessage().contains(said), lost::getMessage);
     }
 }

@@ -33,7 +33,7 @@ class AttackNamesTest {
 
     @BeforeAll
     static void start() {
-        unscanned = new Unscanned(JudgeSettings.Box.STRONGEST);
+        unscanned = new Unscanned(JudgeSettings.Protection.STRONGEST);
     }
 
     @AfterAll
@@ -145,7 +145,7 @@ class AttackNamesTest {
             ChildLost lost =
                     assertThrows(
                             ChildLost.class, () -> unscanned.draw(runner, method(guarded(code))));
-            assertEquals(ChildLost.Reason.TIME, lost.reason(), lost::getMessage);
+            assertEquals(ChildLost.LossReason.TIME, lost.reason(), lost::getMessage);
             assertFalse(runner.isAlive(), "the child outlived its loss");
         }
     }
@@ -181,7 +181,7 @@ class AttackNamesTest {
         try {
             thrown = unscanned.draw(method(hog)).thrown();
         } catch (ChildLost lost) {
-            thrown = lost.reason() == ChildLost.Reason.MEMORY ? "OutOfMemoryError" : "" + lost;
+            thrown = lost.reason() == ChildLost.LossReason.MEMORY ? "OutOfMemoryError" : "" + lost;
         }
         assertTrue(thrown.contains("OutOfMemoryError"), thrown);
     }

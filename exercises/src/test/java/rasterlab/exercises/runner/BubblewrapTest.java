@@ -23,7 +23,7 @@ class BubblewrapTest {
     @BeforeAll
     static void start() {
         assumeTrue(Programs.onPath("bwrap").isPresent(), "bubblewrap is missing");
-        unscanned = new Unscanned(JudgeSettings.Box.STRONGEST);
+        unscanned = new Unscanned(JudgeSettings.Protection.STRONGEST);
         assertEquals(
                 "bubblewrap",
                 unscanned.box.isolation().name(),

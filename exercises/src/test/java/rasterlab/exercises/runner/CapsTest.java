@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import rasterlab.exercises.Capped;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Caps;
+import rasterlab.exercises.Exercise.StatedLimits;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.CaseReport;
@@ -73,7 +73,8 @@ class CapsTest {
     @Test
     @DisplayName("an answer of 80 bytes is taken where 60 are allowed, or one of 40 is not")
     void bytesAreLimited() throws Exception {
-        Caps sixty = new Caps(OptionalInt.empty(), OptionalInt.of(60), Optional.empty());
+        StatedLimits sixty =
+                new StatedLimits(OptionalInt.empty(), OptionalInt.of(60), Optional.empty());
         CaseReport more = first("shade-face", sixty, FACE.formatted("return new double[9];"));
         assertEquals(GradingVerdict.OUTPUT_LIMIT, more.verdict(), more.message());
         assertEquals("its answer is longer than what is taken", more.message());
@@ -90,7 +91,8 @@ class CapsTest {
     }
 
     private static CaseReport ofTruth(int bytes) throws Exception {
-        Caps caps = new Caps(OptionalInt.empty(), OptionalInt.of(bytes), Optional.empty());
+        StatedLimits caps =
+                new StatedLimits(OptionalInt.empty(), OptionalInt.of(bytes), Optional.empty());
         return first("point-in-triangle", caps, INSIDE);
     }
 
@@ -98,7 +100,10 @@ class CapsTest {
     @DisplayName("an answer of 24 MB is told as a want of memory")
     void aHugeAnswerIsToldByItsLength() throws Exception {
         CaseReport huge =
-                first("shade-face", Caps.NONE, FACE.formatted("return new double[3_000_000];"));
+                first(
+                        "shade-face",
+                        StatedLimits.NONE,
+                        FACE.formatted("return new double[3_000_000];"));
         assertEquals(GradingVerdict.OUTPUT_LIMIT, huge.verdict(), huge.message());
         assertEquals("its answer is longer than what is taken", huge.message());
         assertEquals("ответ длиннее, чем принимается", huge.said().in("ru"));
@@ -107,7 +112,8 @@ class CapsTest {
     @Test
     @DisplayName("a method that goes on for ever is stopped at the usual number of items")
     void itemsAreLimited() throws Exception {
-        Caps thirty = new Caps(OptionalInt.of(30), OptionalInt.empty(), Optional.empty());
+        StatedLimits thirty =
+                new StatedLimits(OptionalInt.of(30), OptionalInt.empty(), Optional.empty());
         String source = CLIP.formatted("while (true) out.segment(x0, y0, x1, y1);");
         CaseReport endless = first("clip-segment", thirty, source);
         assertEquals(GradingVerdict.OUTPUT_LIMIT, endless.verdict(), endless.message());
@@ -126,14 +132,14 @@ class CapsTest {
                     }
                 }
                 """;
-        CaseReport endless = first("seed-fill", Caps.NONE, source);
+        CaseReport endless = first("seed-fill", StatedLimits.NONE, source);
         assertEquals(GradingVerdict.OUTPUT_LIMIT, endless.verdict(), endless.message());
     }
 
     @Test
     @DisplayName("a call has the usual time, or names that")
     void timeIsLimited() throws Exception {
-        Caps tenth = seconds(Duration.ofMillis(100));
+        StatedLimits tenth = seconds(Duration.ofMillis(100));
         String source = FACE.formatted("while (true);");
         CaseReport endless = first("shade-face", tenth, source);
         assertEquals(GradingVerdict.TIME_LIMIT, endless.verdict(), endless.message());
@@ -143,7 +149,7 @@ class CapsTest {
     @Test
     @DisplayName("six calls for one input have the time of six inputs")
     void allCallsForOneInputShareTheTime() throws Exception {
-        Caps second = seconds(Duration.ofSeconds(1));
+        StatedLimits second = seconds(Duration.ofSeconds(1));
         Exercise clip = Capped.with(Catalogue.builtIn().named("clip-segment"), second);
         Report report = JUDGE.grade(clip, CLIP.formatted(BURN), CaseSelection.open());
         assertTrue(
@@ -177,11 +183,11 @@ class CapsTest {
         assertTrue(said.contains("no answer within 0.3 s of processor time"), said);
     }
 
-    private static Caps seconds(Duration most) {
-        return new Caps(OptionalInt.empty(), OptionalInt.empty(), Optional.of(most));
+    private static StatedLimits seconds(Duration most) {
+        return new StatedLimits(OptionalInt.empty(), OptionalInt.empty(), Optional.of(most));
     }
 
-    private static CaseReport first(String id, Caps caps, String source) throws Exception {
+    private static CaseReport first(String id, StatedLimits caps, String source) throws Exception {
         return JUDGE.grade(
                         Capped.with(Catalogue.builtIn().named(id), caps),
                         source,

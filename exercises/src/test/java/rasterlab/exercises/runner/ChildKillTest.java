@@ -32,7 +32,7 @@ class ChildKillTest {
         assumeTrue(Programs.onPath("bwrap").isPresent(), "bubblewrap is missing");
         long seed = new Random().nextLong();
         var moments = new Random(seed);
-        try (var unscanned = new Unscanned(JudgeSettings.Box.STRONGEST)) {
+        try (var unscanned = new Unscanned(JudgeSettings.Protection.STRONGEST)) {
             assumeTrue(unscanned.box.isolation().name().equals("bubblewrap"), "it does not work");
             for (int i = 0; i < STARTS; i++) {
                 long wait = moments.nextLong(LATEST.toNanos());

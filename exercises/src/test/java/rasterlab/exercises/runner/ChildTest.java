@@ -32,7 +32,7 @@ class ChildTest {
 
     @BeforeAll
     static void start() {
-        unscanned = new Unscanned(JudgeSettings.Box.PROCESS_LIMITS_ONLY);
+        unscanned = new Unscanned(JudgeSettings.Protection.PROCESS_LIMITS_ONLY);
     }
 
     @AfterAll
@@ -42,7 +42,7 @@ class ChildTest {
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("tricks")
-    void isLostWith(ChildLost.Reason reason, String body) throws Exception {
+    void isLostWith(ChildLost.LossReason reason, String body) throws Exception {
         try (Child runner = unscanned.child(ChildKind.RUN)) {
             ChildLost lost =
                     assertThrows(
@@ -60,44 +60,44 @@ class ChildTest {
         String out =
                 "java.io.OutputStream raw = new java.io.FileOutputStream(java.io.FileDescriptor.out);";
         return Stream.of(
-                argumentSet("exits", ChildLost.Reason.ENDED, "System.exit(0);"),
-                argumentSet("halts", ChildLost.Reason.ENDED, "Runtime.getRuntime().halt(0);"),
+                argumentSet("exits", ChildLost.LossReason.ENDED, "System.exit(0);"),
+                argumentSet("halts", ChildLost.LossReason.ENDED, "Runtime.getRuntime().halt(0);"),
                 argumentSet(
                         "ends as if it were killed",
-                        ChildLost.Reason.SIGNAL,
+                        ChildLost.LossReason.SIGNAL,
                         "Runtime.getRuntime().halt(137);"),
                 argumentSet(
                         "shutdown hook loops",
-                        ChildLost.Reason.TIME,
+                        ChildLost.LossReason.TIME,
                         "Runtime.getRuntime().addShutdownHook("
                                 + "new Thread(() -> { while (true); })); System.exit(0);"),
-                argumentSet("sleeps", ChildLost.Reason.TIME, "Thread.sleep(100_000);"),
+                argumentSet("sleeps", ChildLost.LossReason.TIME, "Thread.sleep(100_000);"),
                 argumentSet(
                         "closes stdout",
-                        ChildLost.Reason.PROTOCOL,
+                        ChildLost.LossReason.PROTOCOL,
                         out + "raw.close(); while (true);"),
                 argumentSet(
                         "forges a frame without the nonce",
-                        ChildLost.Reason.PROTOCOL,
+                        ChildLost.LossReason.PROTOCOL,
                         out
                                 + "raw.write(new byte[] {0,0,0,15, 1,2,3,4,5,6,7,8, 0, 0,0,0,0, 0,0});"
                                 + "raw.flush();"),
                 argumentSet(
                         "announces 2 GB",
-                        ChildLost.Reason.PROTOCOL,
+                        ChildLost.LossReason.PROTOCOL,
                         out
                                 + "raw.write(new byte[] {127, -1, -1, -1}); raw.flush(); while (true);"),
                 argumentSet(
                         "sends half a frame",
-                        ChildLost.Reason.ENDED,
+                        ChildLost.LossReason.ENDED,
                         out + "raw.write(new byte[] {0, 0, 0, 9, 1}); System.exit(0);"),
                 argumentSet(
                         "floods stdout with frames",
-                        ChildLost.Reason.PROTOCOL,
+                        ChildLost.LossReason.PROTOCOL,
                         out + "while (true) raw.write(new byte[] {0, 0, 0, 1, 1});"),
                 argumentSet(
                         "starts a thread that exhausts memory",
-                        ChildLost.Reason.MEMORY,
+                        ChildLost.LossReason.MEMORY,
                         "new Thread(() -> { var all = new java.util.ArrayList<long[]>();"
                                 + " while (true) all.add(new long[1 << 20]); }).start();"
                                 + " Thread.sleep(10_000);"));
@@ -115,7 +115,7 @@ class ChildTest {
                                             new Request(Wire.PING, out -> {}),
                                             Duration.ofMinutes(2),
                                             (status, in) -> status));
-            assertEquals(ChildLost.Reason.SIGNAL, lost.reason(), lost::getMessage);
+            assertEquals(ChildLost.LossReason.SIGNAL, lost.reason(), lost::getMessage);
         }
     }
 
@@ -133,7 +133,7 @@ class ChildTest {
                                         Duration.ofSeconds(5),
                                         (status, in) -> status);
                             });
-            assertEquals(ChildLost.Reason.TIME, lost.reason(), lost::getMessage);
+            assertEquals(ChildLost.LossReason.TIME, lost.reason(), lost::getMessage);
         }
     }
 
@@ -158,7 +158,7 @@ class ChildTest {
 
     @Test
     void aChildStartsAfterTheFolderWasTakenAway() throws Exception {
-        try (Unscanned own = new Unscanned(JudgeSettings.Box.STRONGEST)) {
+        try (Unscanned own = new Unscanned(JudgeSettings.Protection.STRONGEST)) {
             removeAll(own.jars.folder());
             assertEquals("", own.draw(method("out.plot(0, 0);\n")).thrown());
         }

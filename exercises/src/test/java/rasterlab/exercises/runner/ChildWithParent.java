@@ -25,7 +25,7 @@ final class ChildWithParent {
      */
     public static void main(String[] args) throws Exception {
         Path begun = Path.of(args[0]);
-        try (Unscanned unscanned = new Unscanned(JudgeSettings.Box.PROCESS_LIMITS_ONLY);
+        try (Unscanned unscanned = new Unscanned(JudgeSettings.Protection.PROCESS_LIMITS_ONLY);
                 Child compiler = unscanned.child(ChildKind.COMPILE);
                 Child child = unscanned.child(ChildKind.RUN)) {
             Daemons.named("teller").newThread(() -> tell(begun, child)).start();

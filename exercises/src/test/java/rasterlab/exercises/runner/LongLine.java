@@ -2,9 +2,9 @@ package rasterlab.exercises.runner;
 
 import java.util.Map;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
-import rasterlab.exercises.Exercise.Tolerance;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.Exercise.Criterion;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -12,9 +12,17 @@ import rasterlab.exercises.topic.TopicGradings;
 final class LongLine {
     private LongLine() {}
 
-    static Call call() {
+    static GradedCall call() {
         String input = "{\"given\":{\"from\":[0,0],\"to\":[1001,500]}}";
-        Case one = new Case("long-line", Map.of(), Kind.ACCURACY, Disclosure.OPEN, 0, input, false);
-        return TopicGradings.named("line").calls(one, new Tolerance(true), 0).get(0);
+        Case one =
+                new Case(
+                        "long-line",
+                        Map.of(),
+                        Criterion.ACCURACY,
+                        Disclosure.OPEN,
+                        0,
+                        input,
+                        false);
+        return TopicGradings.named("line").calls(one, new ExerciseTolerance(true), 0).get(0);
     }
 }

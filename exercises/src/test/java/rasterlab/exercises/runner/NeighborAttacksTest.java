@@ -29,7 +29,7 @@ class NeighborAttacksTest {
     @BeforeAll
     static void start() {
         assumeTrue(Programs.onPath("bwrap").isPresent(), "bubblewrap is missing");
-        unscanned = new Unscanned(JudgeSettings.Box.STRONGEST);
+        unscanned = new Unscanned(JudgeSettings.Protection.STRONGEST);
         assertEquals("bubblewrap", unscanned.box.isolation().name());
     }
 

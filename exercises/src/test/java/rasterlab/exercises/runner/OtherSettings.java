@@ -26,6 +26,6 @@ public final class OtherSettings {
                 once.runLimit(),
                 once.spares(),
                 once.speed(),
-                JudgeSettings.Box.PROCESS_LIMITS_ONLY);
+                JudgeSettings.Protection.PROCESS_LIMITS_ONLY);
     }
 }

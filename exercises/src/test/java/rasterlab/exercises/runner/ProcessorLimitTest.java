@@ -34,8 +34,8 @@ class ProcessorLimitTest {
     }
 
     @ParameterizedTest(name = "a method that loses its turn is too slow: {0}")
-    @EnumSource(JudgeSettings.Box.class)
-    void waitingForTheProcessorIsNoTimeOut(JudgeSettings.Box box) throws Exception {
+    @EnumSource(JudgeSettings.Protection.class)
+    void waitingForTheProcessorIsNoTimeOut(JudgeSettings.Protection box) throws Exception {
         String late = "try { Thread.sleep(1500); } catch (InterruptedException e) { }\n";
         TimeLimit limit = new TimeLimit(Duration.ofMillis(900), Duration.ofMinutes(5));
         try (Unscanned unscanned = new Unscanned(box)) {
@@ -44,8 +44,8 @@ class ProcessorLimitTest {
     }
 
     @ParameterizedTest(name = "one that sleeps is waited for without end, or called busy: {0}")
-    @EnumSource(JudgeSettings.Box.class)
-    void sleepingIsTold(JudgeSettings.Box box) {
+    @EnumSource(JudgeSettings.Protection.class)
+    void sleepingIsTold(JudgeSettings.Protection box) {
         String forEver = "try { Thread.sleep(600_000); } catch (InterruptedException e) { }\n";
         TimeLimit limit = new TimeLimit(Duration.ofSeconds(4), Duration.ofSeconds(5));
         ChildLost lost = stopped(box, forEver, limit);
@@ -54,19 +54,19 @@ class ProcessorLimitTest {
     }
 
     @ParameterizedTest(name = "one that computes without end is called idle: {0}")
-    @EnumSource(JudgeSettings.Box.class)
-    void computingWithoutEndIsStoppedByProcessorTime(JudgeSettings.Box box) {
+    @EnumSource(JudgeSettings.Protection.class)
+    void computingWithoutEndIsStoppedByProcessorTime(JudgeSettings.Protection box) {
         TimeLimit limit = new TimeLimit(Duration.ofMillis(900), Duration.ofMinutes(30));
         ChildLost lost = stopped(box, "while (true);", limit);
         assertFalse(lost.isIdle(), lost::getMessage);
         assertEquals("no answer within 0.9 s of processor time", lost.getMessage());
     }
 
-    private static ChildLost stopped(JudgeSettings.Box box, String body, TimeLimit limit) {
+    private static ChildLost stopped(JudgeSettings.Protection box, String body, TimeLimit limit) {
         try (Unscanned unscanned = new Unscanned(box)) {
             ChildLost lost =
                     assertThrows(ChildLost.class, () -> unscanned.draw(method(body), limit));
-            assertEquals(ChildLost.Reason.TIME, lost.reason());
+            assertEquals(ChildLost.LossReason.TIME, lost.reason());
             return lost;
         }
     }

@@ -13,9 +13,9 @@ import rasterlab.contract.LineRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.BresenhamLine;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
-import rasterlab.exercises.Exercise.Tolerance;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.Exercise.Criterion;
+import rasterlab.exercises.Exercise.ExerciseTolerance;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CasePicture;
@@ -47,7 +47,7 @@ class ShrinkingTest {
         }
 
         @Override
-        public Optional<TriedCall> aside(Call call) {
+        public Optional<TriedCall> aside(GradedCall call) {
             asked++;
             return asked > most ? Optional.empty() : Optional.of(tried(call, method));
         }
@@ -58,27 +58,27 @@ class ShrinkingTest {
         }
     }
 
-    private static TriedCall tried(Call call, LineRasterizer method) {
+    private static TriedCall tried(GradedCall call, LineRasterizer method) {
         return TriedCall.answered(call, TriedMethod.answer(call, method));
     }
 
-    private static Call call(String from, String to) {
+    private static GradedCall call(String from, String to) {
         String input = "{\"count\": 1, \"given\": {\"from\": %s, \"to\": %s}}".formatted(from, to);
         Case one =
                 new Case(
                         "a-case",
                         Map.of(),
                         "a-case",
-                        Kind.ACCURACY,
+                        Criterion.ACCURACY,
                         Disclosure.VERDICT_ONLY,
                         1,
                         input,
                         true,
                         Optional.of("reversal"));
-        return TopicGradings.named("line").calls(one, new Tolerance(true), 1).get(0);
+        return TopicGradings.named("line").calls(one, new ExerciseTolerance(true), 1).get(0);
     }
 
-    private static final Call LONG = call("[-217, 93]", "[-180, 106]");
+    private static final GradedCall LONG = call("[-217, 93]", "[-180, 106]");
 
     @Test
     void theSmallestCounterexampleIsFound() throws InterruptedException {

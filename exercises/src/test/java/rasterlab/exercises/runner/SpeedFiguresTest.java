@@ -15,10 +15,10 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Sources;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.score.Disclosure;
@@ -37,7 +37,8 @@ class SpeedFiguresTest {
         SpeedFigures figures = figures(report);
         assertEquals(report.nanosPerItem(), figures.nanos());
         assertEquals(0, figures.error());
-        List<String> names = figures.methods().stream().map(SpeedFigures.Method::name).toList();
+        List<String> names =
+                figures.methods().stream().map(SpeedFigures.MethodSpeed::name).toList();
         assertTrue(
                 names.containsAll(List.of("naive", "dda", "bresenham", "midpoint")),
                 names::toString);
@@ -67,7 +68,7 @@ class SpeedFiguresTest {
 
     static Stream<String> written() {
         return Catalogue.builtIn().all().stream()
-                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                 .map(Exercise::id);
     }
 
@@ -76,14 +77,14 @@ class SpeedFiguresTest {
     void eachExerciseHasMethodsToStandBeside(String id) {
         Exercise exercise = Catalogue.builtIn().named(id);
         TopicGrading topic = TopicGradings.of(exercise);
-        List<Call> calls =
+        List<GradedCall> calls =
                 exercise.cases().stream()
-                        .filter(one -> one.kind() == Kind.ACCURACY)
+                        .filter(one -> one.kind() == Criterion.ACCURACY)
                         .filter(one -> one.visibility() == Disclosure.OPEN)
                         .flatMap(one -> topic.calls(one, exercise.tolerance(), 1).stream())
                         .toList();
-        TopicGrading.Timing timing = topic.timings(exercise, new Random(1), List.of()).next();
-        List<SpeedFigures.Method> beside =
+        TopicGrading.TimingInputs timing = topic.timings(exercise, new Random(1), List.of()).next();
+        List<SpeedFigures.MethodSpeed> beside =
                 new Classics().beside(exercise, topic, timing, topic.right(), calls);
         assertFalse(beside.isEmpty());
         assertTrue(beside.stream().anyMatch(one -> one.error() <= 1), beside::toString);

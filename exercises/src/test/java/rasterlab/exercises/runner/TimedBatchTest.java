@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Caps;
+import rasterlab.exercises.Exercise.StatedLimits;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.child.ContractCalls;
@@ -24,7 +24,7 @@ class TimedBatchTest {
     private static final Duration USUAL = Duration.ofSeconds(2);
     private static final Exercise CIRCLE = Catalogue.builtIn().named("circle");
     private static final TopicGrading GRADING = TopicGradings.named("circle");
-    private static final TopicGrading.Timing SIXTY =
+    private static final TopicGrading.TimingInputs SIXTY =
             GRADING.timings(CIRCLE, new Random(1), List.of()).next();
 
     @Test
@@ -52,7 +52,7 @@ class TimedBatchTest {
     }
 
     private static TimedBatch batch(Optional<Duration> stated) {
-        var caps = new Caps(OptionalInt.empty(), OptionalInt.empty(), stated);
+        var caps = new StatedLimits(OptionalInt.empty(), OptionalInt.empty(), stated);
         return new TimedBatch(ContractCalls.of(GRADING.contract()), SIXTY, caps);
     }
 }

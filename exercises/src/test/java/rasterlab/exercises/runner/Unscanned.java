@@ -15,7 +15,7 @@ import rasterlab.exercises.score.Answer;
 
 /** Runs sources without the byte-code check, to see what the process alone holds. */
 final class Unscanned implements AutoCloseable {
-    private static final TopicGrading.Call CALL = LongLine.call();
+    private static final TopicGrading.GradedCall CALL = LongLine.call();
     static final ContractCalls CONTRACT = ContractCalls.of(LineRasterizer.class);
     private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
 
@@ -24,7 +24,7 @@ final class Unscanned implements AutoCloseable {
     final Box box;
     private final Children children;
 
-    Unscanned(JudgeSettings.Box wanted) {
+    Unscanned(JudgeSettings.Protection wanted) {
         box = BoxChoice.on(launcher, jars).choose(wanted);
         children = new Children(box, launcher, false);
     }

@@ -30,8 +30,8 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
-import rasterlab.exercises.scene.MethodCase.Drawn;
-import rasterlab.exercises.scene.MethodCase.Pixel;
+import rasterlab.exercises.scene.MethodCase.DrawnPixels;
+import rasterlab.exercises.scene.MethodCase.PlottedPixel;
 
 class SceneFileTest {
     private static final long SEED = 20260311;
@@ -70,8 +70,10 @@ class SceneFileTest {
                         Optional.empty(),
                         "{\"from\":[0,0],\"to\":[5,2]}",
                         Optional.of(
-                                new Drawn(
-                                        List.of(new Pixel(-1, Integer.MAX_VALUE), new Pixel(-1, 7)),
+                                new DrawnPixels(
+                                        List.of(
+                                                new PlottedPixel(-1, Integer.MAX_VALUE),
+                                                new PlottedPixel(-1, 7)),
                                         true)));
         assertEquals(drawn, SceneFile.read(drawn.write()));
     }
@@ -81,9 +83,9 @@ class SceneFileTest {
     void pixelsThatAreNotKeptAreACut() {
         var plotted = new PixelRecording(MethodCase.MOST_DRAWN + 1);
         for (int x = 0; x < MethodCase.MOST_DRAWN; x++) plotted.plot(x, 0);
-        assertFalse(Drawn.of(new Plotted(plotted, false)).cut());
+        assertFalse(DrawnPixels.of(new Plotted(plotted, false)).cut());
         plotted.plot(0, 1);
-        Drawn kept = Drawn.of(new Plotted(plotted, false));
+        DrawnPixels kept = DrawnPixels.of(new Plotted(plotted, false));
         assertTrue(kept.cut());
         assertEquals(MethodCase.MOST_DRAWN, kept.pixels().size());
     }

@@ -22,7 +22,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.judging.MethodsOnInput;
-import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.judging.MethodsOnInput.MethodResult;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
 import rasterlab.exercises.score.Phrase;
@@ -66,7 +66,7 @@ class HazardSearchTest {
                         .orElseThrow();
         MethodsOnInput<?, ?, ?> again =
                 MethodsOnInput.of(topic, Phrase.of("break.input"), find.input());
-        assertTrue(again.right().stream().noneMatch(Tried::failed), find.input());
+        assertTrue(again.right().stream().noneMatch(MethodResult::failed), find.input());
     }
 
     @Test
@@ -154,7 +154,8 @@ class HazardSearchTest {
         var read = (MethodCase) SceneFile.read(find.scene().write());
         assertEquals(find.scene(), read);
         assertEquals(
-                new MethodCase.Found(find.verdict().kind().code(), 5), read.found().orElseThrow());
+                new MethodCase.SearchFinding(find.verdict().kind().code(), 5),
+                read.found().orElseThrow());
     }
 
     @Test

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
-import rasterlab.exercises.searching.TreeParts.Place;
+import rasterlab.exercises.searching.TreeParts.TreePlace;
 
 class SearchedInputsTest {
     private static <C, I, O> List<JsonNode> ofStudy(Topic<C, I, O> topic) {
@@ -39,7 +39,7 @@ class SearchedInputsTest {
         var mutation = new TreeMutation(new Random(7));
         var seen = new boolean[2];
         for (int i = 0; i < 2000; i++) {
-            List<Place> numbers = new TreeParts(mutation.changed(tree)).numbers();
+            List<TreePlace> numbers = new TreeParts(mutation.changed(tree)).numbers();
             if (numbers.size() != 12) continue;
             seen[0] |= numbers.stream().allMatch(n -> Double.isInfinite(square(n)));
             seen[1] |=
@@ -48,7 +48,7 @@ class SearchedInputsTest {
         assertEquals(List.of(true, true), List.of(seen[0], seen[1]));
     }
 
-    private static double square(Place number) {
+    private static double square(TreePlace number) {
         double value = number.value().doubleValue();
         return value * value;
     }

@@ -23,7 +23,7 @@ class CaseReasonsTest {
 
     static Stream<String> written() {
         return CATALOGUE.all().stream()
-                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                 .map(Exercise::id);
     }
 

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.topic.CaseRules.CaseRule;
 
@@ -32,7 +32,7 @@ class CaseRulesTest {
             assertTrue(right.tolerance().in("en").matches("(to within|exactly).*"), id);
             assertTrue(right.tolerance().in("ru").matches("(с точностью|точно).*"), id);
             assertFalse(right.tolerance().in("en").contains("bound."), id);
-            if (exercise.form() == Form.WRITE) {
+            if (exercise.form() == TaskKind.WRITE) {
                 assertFalse(right.rule().isEmpty(), id + " has no rule");
                 assertTrue(right.rule().in("ru").matches(".*[а-яё].*"), right.rule().in("ru"));
             }

@@ -65,7 +65,7 @@ class ErrorMap(
 
     /** Two or more students each, the biggest first; only programs have answers that can be compared. */
     val groups: List<WrongGroup> =
-        if (exercise.form() != Exercise.Form.WRITE) {
+        if (exercise.form() != Exercise.TaskKind.WRITE) {
             emptyList()
         } else {
             results

@@ -114,7 +114,7 @@ suspend fun ApplicationCall.respondPicture(
 
 /** The file name that the compiler wants for a starter in Java; of inputs the exercise's. */
 fun Exercise.starterFile(): String {
-    val name = if (form() == Exercise.Form.WRITE) CLASS.find(starter())?.groupValues?.get(1) ?: "Starter" else id()
+    val name = if (form() == Exercise.TaskKind.WRITE) CLASS.find(starter())?.groupValues?.get(1) ?: "Starter" else id()
     return name + "." + form().ending()
 }
 

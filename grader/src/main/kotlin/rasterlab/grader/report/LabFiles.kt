@@ -17,11 +17,11 @@ sealed interface InLab {
     data object Given : InLab
 
     companion object {
-        private val builtIn by lazy { Catalogue.builtIn().all().filter { it.form() == Exercise.Form.WRITE } }
+        private val builtIn by lazy { Catalogue.builtIn().all().filter { it.form() == Exercise.TaskKind.WRITE } }
 
         /** The kind of [exercise]; one that is not here any more is taken for one of the lab's. */
         fun of(exercise: Exercise?): InLab {
-            if (exercise == null || exercise.form() != Exercise.Form.WRITE) return Known
+            if (exercise == null || exercise.form() != Exercise.TaskKind.WRITE) return Known
             val like = builtIn.filter { it.topic() == exercise.topic() && it.contract() == exercise.contract() }
             return when {
                 like.any { it.id() == exercise.id() } -> Known
@@ -42,10 +42,10 @@ sealed interface InLab {
 class LabFiles(
     private val exercise: String,
     private val attempt: Int,
-    private val form: Exercise.Form,
+    private val form: Exercise.TaskKind,
     val inLab: InLab,
 ) {
-    val asksForPrograms = form == Exercise.Form.WRITE
+    val asksForPrograms = form == Exercise.TaskKind.WRITE
 
     /** The text that was handed in. */
     val source = "$exercise-$attempt.${form.ending()}"

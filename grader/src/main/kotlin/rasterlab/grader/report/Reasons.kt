@@ -20,7 +20,7 @@ class Reasons {
         case: String,
         language: String,
     ): String? {
-        if (exercise.form() != Exercise.Form.WRITE || exercise.cases().none { it.name() == case }) return null
+        if (exercise.form() != Exercise.TaskKind.WRITE || exercise.cases().none { it.name() == case }) return null
         val reasons = known.computeIfAbsent(exercise.id() to exercise.revision()) { CaseReasons(exercise) }
         return reasons.of(case).`in`(language)
     }

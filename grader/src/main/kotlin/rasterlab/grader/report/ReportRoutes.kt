@@ -129,7 +129,7 @@ class Results(
         return LabFiles(submission.exercise, submission.attempt, form(submission), inLab)
     }
 
-    private fun form(submission: Submission) = exercises.find(submission.exercise)?.form() ?: Exercise.Form.WRITE
+    private fun form(submission: Submission) = exercises.find(submission.exercise)?.form() ?: Exercise.TaskKind.WRITE
 
     /** The judged cases with what [who] may not see taken out. */
     private fun seen(

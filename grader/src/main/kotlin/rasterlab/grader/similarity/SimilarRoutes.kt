@@ -76,7 +76,7 @@ suspend fun ApplicationCall.respondPrograms(
  * @throws Rejection.UnknownExercise where there is none, also where it asks for something else than a program
  */
 fun Exercises.written(id: String): Exercise =
-    find(id)?.takeIf { it.form() == Exercise.Form.WRITE } ?: throw Rejection.UnknownExercise(id)
+    find(id)?.takeIf { it.form() == Exercise.TaskKind.WRITE } ?: throw Rejection.UnknownExercise(id)
 
 private fun answer(one: Likeness) =
     PairAnswer(

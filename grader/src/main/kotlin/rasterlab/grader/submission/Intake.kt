@@ -59,7 +59,7 @@ class Intake(
     ): Accepted {
         if (!database.hasRoom()) throw Rejection.NoRoom()
         val handedSeed =
-            if (exercise.form() == Exercise.Form.PREDICT) Sheets.handedSeed(exercise, source) else null
+            if (exercise.form() == Exercise.TaskKind.PREDICT) Sheets.handedSeed(exercise, source) else null
         val request = Repeatable("submissions ${student.id}", key, "${exercise.id()}\n$source")
         return database.write { handle ->
             val before = allowance(handle, student)

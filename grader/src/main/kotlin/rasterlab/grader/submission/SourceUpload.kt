@@ -4,7 +4,7 @@ import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.request.contentType
-import rasterlab.exercises.Exercise.Form
+import rasterlab.exercises.Exercise.TaskKind
 import rasterlab.exercises.Grading
 import rasterlab.exercises.SourceEncoding
 import rasterlab.grader.problem.Rejection
@@ -17,7 +17,7 @@ private const val FORM_EXTRA_BYTES = 16 * 1024
 private const val KOTLIN = "text/x-kotlin"
 
 /** The text that is handed in, in the body: alone, or as the multipart field `source`. */
-suspend fun ApplicationCall.receiveSource(form: Form): String {
+suspend fun ApplicationCall.receiveSource(form: TaskKind): String {
     if (request.headers[HttpHeaders.ContentType].orEmpty().startsWith(KOTLIN)) throw Rejection.Kotlin()
     val alone = ContentType.parse(form.mediaType())
     if (bodyType(alone, ContentType.MultiPart.FormData) == alone) {

@@ -32,7 +32,7 @@ internal class SpeedRows(
 
     private fun insert(
         position: Int,
-        method: SpeedFigures.Method,
+        method: SpeedFigures.MethodSpeed,
     ) {
         handle
             .createUpdate(
@@ -60,7 +60,7 @@ internal class SpeedRows(
         return SpeedFigures(result.around(nanos / reference), reference, result.error(), methods())
     }
 
-    private fun methods(): List<SpeedFigures.Method> =
+    private fun methods(): List<SpeedFigures.MethodSpeed> =
         handle
             .createQuery(
                 "SELECT * FROM speed_methods WHERE result_id = :result ORDER BY position",
@@ -69,7 +69,7 @@ internal class SpeedRows(
             .list()
 
     private fun method(row: ResultSet) =
-        SpeedFigures.Method(row.getString("method"), row.around(row.getDouble("ratio")), row.error())
+        SpeedFigures.MethodSpeed(row.getString("method"), row.around(row.getDouble("ratio")), row.error())
 
     private fun Double.stored(): Double? = takeIf { it.isFinite() }
 }

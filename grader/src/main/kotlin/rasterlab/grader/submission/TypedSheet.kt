@@ -6,7 +6,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory
 import com.fasterxml.jackson.databind.node.ObjectNode
 import com.fasterxml.jackson.databind.node.TextNode
 import rasterlab.exercises.Exercise
-import rasterlab.exercises.Predicting.Asked
+import rasterlab.exercises.Predicting.PredictedField
 import rasterlab.exercises.predicting.Question
 import rasterlab.exercises.predicting.Sheet
 import rasterlab.exercises.predicting.SheetText
@@ -20,7 +20,7 @@ import rasterlab.exercises.predicting.TypedValue
  */
 class SheetField(
     question: Question,
-    asked: Asked,
+    asked: PredictedField,
 ) {
     val field: String = asked.field()
     private val right: JsonNode = question.right().path(field)

@@ -135,7 +135,7 @@ internal class ExercisePage(
             p { +texts.say("exercise.mine.none") }
         } else {
             attemptTable(texts, exercises, stand.mine)
-            if (exercise.form() == Exercise.Form.WRITE) {
+            if (exercise.form() == Exercise.TaskKind.WRITE) {
                 p { a("/exercises/${exercise.id()}/front") { +texts.say("front.link") } }
             }
             if (stand.rules.policy == CountingPolicy.CHOSEN) choice(texts, stand.mine)
@@ -178,7 +178,7 @@ private fun MAIN.plan(
     val plan = stand.exercise.points()
     p("plan") {
         +texts.say("exercises.points", plan.total())
-        if (stand.exercise.form() == Exercise.Form.WRITE) {
+        if (stand.exercise.form() == Exercise.TaskKind.WRITE) {
             +" — "
             +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
         }

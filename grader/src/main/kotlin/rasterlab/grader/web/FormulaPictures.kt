@@ -61,7 +61,7 @@ class FormulaPictures(
     /** Puts a formula that gets smaller with the page; an empty picture in its frame holds the least width. */
     private fun shrinking(formula: TexFormula) {
         val set = formulas.set(formula)
-        if (set !is Typeset.Drawn) return put(formula)
+        if (set !is Typeset.FormulaOutline) return put(formula)
         out.tag("span", mapOf("class" to "shrinking"))
         picture(formula.tex(), set)
         val least = ceil(set.width() * LEAST_SHARE * UNITS_PER_EM) / UNITS_PER_EM
@@ -72,13 +72,13 @@ class FormulaPictures(
 
     private fun put(formula: TexFormula) =
         when (val set = formulas.set(formula)) {
-            is Typeset.Drawn -> picture(formula.tex(), set)
+            is Typeset.FormulaOutline -> picture(formula.tex(), set)
             is Typeset.Mistaken -> note(FormulaFault(formula.source(), set.message()))
         }
 
     private fun picture(
         tex: String,
-        drawn: Typeset.Drawn,
+        drawn: Typeset.FormulaOutline,
     ) {
         val steps = ceil(drawn.depth() * STEPS_PER_EM).toInt().coerceIn(0, DEEPEST)
         val depth = maxOf(drawn.depth(), steps.toDouble() / STEPS_PER_EM)
@@ -114,7 +114,7 @@ class FormulaPictures(
 }
 
 /** The outline in whole thousandths of an em. */
-private fun pathData(drawn: Typeset.Drawn): String =
+private fun pathData(drawn: Typeset.FormulaOutline): String =
     buildString {
         val at = drawn.outline().getPathIterator(null)
         val c = DoubleArray(6)

@@ -69,7 +69,7 @@ private fun FlowContent.whole(
     stand.form?.file?.let { p { +texts.say("exercise.kept", it) } }
     label {
         span { +texts.say("exercise.paste.${form.code()}") }
-        textArea(rows = if (form == Exercise.Form.PREDICT) "14" else "10") {
+        textArea(rows = if (form == Exercise.TaskKind.PREDICT) "14" else "10") {
             name = "source"
             attributes["spellcheck"] = "false"
             // A browser leaves out the line end that a text begins with.

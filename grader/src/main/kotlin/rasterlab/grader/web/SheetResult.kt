@@ -35,7 +35,7 @@ class SheetResult private constructor(
             exercise: Exercise?,
             source: String,
         ): SheetResult? {
-            if (exercise?.form() != Exercise.Form.PREDICT) return null
+            if (exercise?.form() != Exercise.TaskKind.PREDICT) return null
             return try {
                 SheetResult(exercise.topic(), HandedAnswers.of(exercise, source.removePrefix("\uFEFF")))
             } catch (invalid: CatalogueException) {

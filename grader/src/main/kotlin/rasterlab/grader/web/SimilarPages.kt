@@ -73,7 +73,7 @@ fun FlowContent.similarLinks(
 ) = details {
     summary { +texts.say("similar.choose") }
     ul {
-        exercises.all.filter { it.form() == Exercise.Form.WRITE }.forEach {
+        exercises.all.filter { it.form() == Exercise.TaskKind.WRITE }.forEach {
             li { a("/instructor/exercises/${it.id()}/similarity") { +it.title(texts.language) } }
         }
     }

@@ -213,7 +213,7 @@ class ErrorMapTest {
                 val cases =
                     listOf("first" to false, "drawn" to true).map { (name, drawn) ->
                         val shown = if (drawn) Disclosure.VERDICT_ONLY else Disclosure.OPEN
-                        Exercise.Case(name, emptyMap(), Exercise.Kind.ACCURACY, shown, 5, "{}", drawn)
+                        Exercise.Case(name, emptyMap(), Exercise.Criterion.ACCURACY, shown, 5, "{}", drawn)
                     }
                 Exercise(
                     id(),
@@ -223,7 +223,7 @@ class ErrorMapTest {
                     emptyMap(),
                     starter(),
                     revision(),
-                    Exercise.Tolerance(true),
+                    Exercise.ExerciseTolerance(true),
                     points(),
                     cases,
                 )

@@ -351,7 +351,7 @@ class OpenedCasesTest {
                     Exercise.Case(
                         name(it),
                         mapOf("en" to name(it)),
-                        Exercise.Kind.ACCURACY,
+                        Exercise.Criterion.ACCURACY,
                         it,
                         5,
                         if (it == Disclosure.OPEN) segment else point,

@@ -87,7 +87,7 @@ class ScenesTest {
         assertEquals(InLab.Known, InLab.of(line))
         assertEquals(InLab.Like("line-bresenham"), InLab.of(renamed(line, line.topic())))
         assertEquals(InLab.Given, InLab.of(renamed(line, "line-plane")))
-        val files = LabFiles("own", 2, Exercise.Form.WRITE, InLab.Given)
+        val files = LabFiles("own", 2, Exercise.TaskKind.WRITE, InLab.Given)
         val opened = "./lab open own-2-a.scene.json --exercises FOLDER --exercise own --with own-2.java"
         assertEquals(opened, files.command("a"))
     }

@@ -41,7 +41,7 @@ class MeasurementsTest {
     private val graded = mutableListOf<String>()
     private var stopping = false
     private val unsettled = report(GradingVerdict.OK, accuracy = 6, nanos = 0.0, SpeedPoints.unsettled(1, 0))
-    private val figures = Optional.of(SpeedFigures(90.0, 9.0, 0.0, listOf(SpeedFigures.Method("dda", 2.0, 0.0))))
+    private val figures = Optional.of(SpeedFigures(90.0, 9.0, 0.0, listOf(SpeedFigures.MethodSpeed("dda", 2.0, 0.0))))
     private val slow =
         report(GradingVerdict.WRONG, accuracy = 2, nanos = 90.0, tenTimesSlower())
             .with(figures)

@@ -67,8 +67,8 @@ class ReportsTest {
 
     @Test
     fun keepsTheFiguresOfItsSpeed() {
-        val dda = SpeedFigures.Method("dda", MedianInterval(2.25, 2.5, 2.875), 0.125)
-        val methods = listOf(dda, SpeedFigures.Method("wu", 4.25, INFINITE))
+        val dda = SpeedFigures.MethodSpeed("dda", MedianInterval(2.25, 2.5, 2.875), 0.125)
+        val methods = listOf(dda, SpeedFigures.MethodSpeed("wu", 4.25, INFINITE))
         for (error in listOf(0.0, 0.75, INFINITE)) {
             val figures = SpeedFigures(MedianInterval(3.125, 12.625 / 3.5, 4.75), 3.5, error, methods)
             val written = Report(GradingVerdict.OK, ScorePoints(0, 0, 1, 1), emptyList(), emptyList(), "", 12.625)
@@ -80,7 +80,7 @@ class ReportsTest {
     @Test
     @DisplayName("what was measured before intervals were kept cannot be read")
     fun readsFiguresWithoutIntervals() {
-        val methods = listOf(SpeedFigures.Method("dda", MedianInterval(2.25, 2.5, 2.875), 0.125))
+        val methods = listOf(SpeedFigures.MethodSpeed("dda", MedianInterval(2.25, 2.5, 2.875), 0.125))
         val figures = SpeedFigures(MedianInterval(3.125, 12.625 / 3.5, 4.75), 3.5, 0.0, methods)
         val written = Report(GradingVerdict.OK, ScorePoints(0, 0, 1, 1), emptyList(), emptyList(), "", 12.625)
         recorded(written.with(Optional.of(figures)))
@@ -88,7 +88,7 @@ class ReportsTest {
             database.write { it.execute("UPDATE $table SET ratio_low = NULL, ratio_high = NULL") }
         }
         val id = database.read { it.createQuery("SELECT id FROM submissions").mapTo(String::class.java).one() }
-        val exact = SpeedFigures(12.625, 3.5, 0.0, listOf(SpeedFigures.Method("dda", 2.5, 0.125)))
+        val exact = SpeedFigures(12.625, 3.5, 0.0, listOf(SpeedFigures.MethodSpeed("dda", 2.5, 0.125)))
         assertEquals(Optional.of(exact), Reports(database).of(id)?.report?.figures())
     }
 

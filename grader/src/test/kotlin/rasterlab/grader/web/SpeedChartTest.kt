@@ -111,7 +111,7 @@ class SpeedChartTest {
     }
 
     private fun methods(vararg places: Pair<Double, Double>) =
-        places.mapIndexed { number, (ratio, error) -> SpeedFigures.Method("method-$number", ratio, error) }
+        places.mapIndexed { number, (ratio, error) -> SpeedFigures.MethodSpeed("method-$number", ratio, error) }
 
     private companion object {
         const val INFINITE = Double.POSITIVE_INFINITY

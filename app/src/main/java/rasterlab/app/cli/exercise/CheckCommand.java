@@ -14,7 +14,7 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.predicting.Sheet;
 import rasterlab.exercises.predicting.SheetText;
@@ -117,7 +117,7 @@ public final class CheckCommand implements Callable<Integer> {
 
     /** Prints questions to be answered. */
     private int printSheet(Exercise chosen) {
-        if (chosen.form() != Form.PREDICT)
+        if (chosen.form() != TaskKind.PREDICT)
             throw Complaint.badInput(
                     file == null
                             ? "FILE is missing: a sheet is printed of exercises of kind predict alone"
@@ -147,7 +147,7 @@ public final class CheckCommand implements Callable<Integer> {
 
     /** Where it is checked; how a program is shut in, where one of the student's runs. */
     private String where(Exercise chosen, String isolation) {
-        return chosen.form() == Form.WRITE
+        return chosen.form() == TaskKind.WRITE
                 ? console.language().texts().text("here", Report.isolationIn(language(), isolation))
                 : console.language().texts().text("here.none");
     }

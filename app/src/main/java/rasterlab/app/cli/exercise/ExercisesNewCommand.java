@@ -18,7 +18,7 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.naming.Named;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.folder.CopiedFolder;
 import rasterlab.exercises.folder.NewFolder;
 import rasterlab.exercises.topic.TopicGradings;
@@ -64,9 +64,9 @@ final class ExercisesNewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Form form = form();
+        TaskKind form = form();
         List<String> topics =
-                form == Form.WRITE ? TopicGradings.names() : CopiedFolder.topics(form);
+                form == TaskKind.WRITE ? TopicGradings.names() : CopiedFolder.topics(form);
         if (!topics.contains(topic))
             throw Complaint.badInput(Named.unknown("exercise of topic", topic, topics));
         Path made = folder.toAbsolutePath().normalize();
@@ -78,7 +78,7 @@ final class ExercisesNewCommand implements Callable<Integer> {
         Map<String, byte[]> files = files(form, id);
         WholeFile.requireFolder(made);
         files.forEach((name, content) -> WholeFile.write(made.resolve(name), content));
-        String key = form == Form.WRITE ? "new" : "new.copy";
+        String key = form == TaskKind.WRITE ? "new" : "new.copy";
         String prove = "./lab exercises prove " + id + " --exercises " + ShellPath.quoted(parent());
         console.out().println(console.language().texts().text(key, folder, prove));
         return ExitCode.DONE;
@@ -89,15 +89,17 @@ final class ExercisesNewCommand implements Callable<Integer> {
         return parent == null ? Path.of(".") : parent;
     }
 
-    private Form form() {
+    private TaskKind form() {
         List<String> kinds =
-                Stream.of(Form.values()).map(each -> each.name().toLowerCase(Locale.ROOT)).toList();
+                Stream.of(TaskKind.values())
+                        .map(each -> each.name().toLowerCase(Locale.ROOT))
+                        .toList();
         if (!kinds.contains(kind)) throw Complaint.badInput(Named.unknown("kind", kind, kinds));
-        return Form.valueOf(kind.toUpperCase(Locale.ROOT));
+        return TaskKind.valueOf(kind.toUpperCase(Locale.ROOT));
     }
 
-    private Map<String, byte[]> files(Form form, String id) {
-        if (form != Form.WRITE) return CopiedFolder.files(topic, form, id).orElseThrow();
+    private Map<String, byte[]> files(TaskKind form, String id) {
+        if (form != TaskKind.WRITE) return CopiedFolder.files(topic, form, id).orElseThrow();
         Map<String, byte[]> files = new LinkedHashMap<>();
         NewFolder.files(topic)
                 .forEach((name, text) -> files.put(name, text.getBytes(StandardCharsets.UTF_8)));

@@ -43,7 +43,7 @@ final class ReportText {
                 exercise.title(language()),
                 exercise.points().total(),
                 PublishedReport.of(exercise, report, language(), (judged, picture) -> ""),
-                exercise.form() == Exercise.Form.WRITE,
+                exercise.form() == Exercise.TaskKind.WRITE,
                 () -> {
                     if (report.nanosPerItem() > 0)
                         say(cost(exercise), texts.text("cost-nanos", report.nanosPerItem()));
@@ -66,8 +66,8 @@ final class ReportText {
                 exercise.path("points").path("total").asInt(),
                 report,
                 exercise.path("kind")
-                        .asText(Exercise.Form.WRITE.code())
-                        .equals(Exercise.Form.WRITE.code()),
+                        .asText(Exercise.TaskKind.WRITE.code())
+                        .equals(Exercise.TaskKind.WRITE.code()),
                 () -> {
                     if (late) out.println(texts.text("late"));
                     say("revision", report.revision());

@@ -117,7 +117,7 @@ public final class SubmitCommand implements Callable<Integer> {
                 to.submit(
                         secret,
                         exercise,
-                        Exercise.Form.mediaType(asked.path("kind").asText()),
+                        Exercise.TaskKind.mediaType(asked.path("kind").asText()),
                         source,
                         UUID.randomUUID().toString(),
                         late);

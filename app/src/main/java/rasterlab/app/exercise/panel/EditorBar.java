@@ -113,11 +113,11 @@ final class EditorBar extends JPanel {
     private void showInLab(Consumer<Throwable> onFailure) {
         ExerciseState state = model.state();
         try {
-            if (state.exercise().form() == Exercise.Form.PREDICT) {
+            if (state.exercise().form() == Exercise.TaskKind.PREDICT) {
                 answerSteps(state.exercise(), state.source());
                 return;
             }
-            if (state.exercise().form() == Exercise.Form.BREAK) {
+            if (state.exercise().form() == Exercise.TaskKind.BREAK) {
                 String input = HandedInput.last(state.source());
                 lab.showToHandIn(state.exercise().id(), state.exercise().topic(), input);
                 return;
@@ -148,9 +148,9 @@ final class EditorBar extends JPanel {
 
     private void offerLab(Exercise exercise) {
         inLab.setVisible(isOffered(exercise));
-        if (exercise.form() != Exercise.Form.WRITE) {
+        if (exercise.form() != Exercise.TaskKind.WRITE) {
             inLab.setEnabled(true);
-            boolean breaks = exercise.form() == Exercise.Form.BREAK;
+            boolean breaks = exercise.form() == Exercise.TaskKind.BREAK;
             inLab.setToolTipText(texts.text(breaks ? "inLab.break" : "inLab.predict"));
             return;
         }

@@ -228,7 +228,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
 
     /** The document of a sheet is seen where it was unfolded, a text to write always. */
     private void fold() {
-        boolean steps = model.state().exercise().form() == Exercise.Form.PREDICT;
+        boolean steps = model.state().exercise().form() == Exercise.TaskKind.PREDICT;
         sheet.setVisible(steps);
         sheet.tell(kept.isSheetSeen());
         place.setVisible(!steps || kept.isSheetSeen());

@@ -64,7 +64,7 @@ public final class ResultPane extends JPanel {
     /** The program's point on the topic's chart, where speed was measured. */
     private transient Optional<SpeedPicture> chart = Optional.empty();
 
-    private Exercise.Form form = Exercise.Form.WRITE;
+    private Exercise.TaskKind form = Exercise.TaskKind.WRITE;
 
     /** The exercise that is shown; "" before one is. */
     private String exercise = "";
@@ -156,8 +156,9 @@ public final class ResultPane extends JPanel {
                 new Dimension(viewLabel.getPreferredSize().width, view.getPreferredSize().height));
     }
 
-    private void showGuide(Exercise.Form form) {
-        guide.setText(texts.text(form == Exercise.Form.WRITE ? "guide" : "guide." + form.code()));
+    private void showGuide(Exercise.TaskKind form) {
+        guide.setText(
+                texts.text(form == Exercise.TaskKind.WRITE ? "guide" : "guide." + form.code()));
         guide.setCaretPosition(0);
     }
 
@@ -324,7 +325,8 @@ public final class ResultPane extends JPanel {
     /** Has the tried program run there, where a lab can; else what it did is shown as recorded. */
     private void show(MethodCase scene) {
         String right = scene.method().orElse("");
-        boolean runs = form == Exercise.Form.WRITE && lab.obstacleToOwn(scene.topic()).isEmpty();
+        boolean runs =
+                form == Exercise.TaskKind.WRITE && lab.obstacleToOwn(scene.topic()).isEmpty();
         if (runs && shown.isPresent()) {
             bring.accept(shown.get().source());
             lab.showOwn(scene.topic(), scene.input(), right);

@@ -34,7 +34,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.language.Texts;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 
 /** The editor of a Java source, with messages at its lines; panels wear it in turn. */
 public final class SourceEditor extends JPanel {
@@ -177,9 +177,9 @@ public final class SourceEditor extends JPanel {
      *
      * @param id of the exercise
      */
-    void show(String id, Form form, String text) {
+    void show(String id, TaskKind form, String text) {
         area.setSyntaxEditingStyle(
-                form == Form.WRITE
+                form == TaskKind.WRITE
                         ? SyntaxConstants.SYNTAX_STYLE_JAVA
                         : SyntaxConstants.SYNTAX_STYLE_JSON);
         refreshing = true;

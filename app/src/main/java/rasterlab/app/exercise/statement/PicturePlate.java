@@ -37,7 +37,7 @@ final class PicturePlate {
     /** The image; empty where the file is broken or too large. */
     static Optional<Image> of(StatementPicture picture, String language) {
         byte[] file = picture.content(language);
-        return picture.form() == StatementPicture.Form.SVG ? svg(file) : png(file);
+        return picture.form() == StatementPicture.PictureFormat.SVG ? svg(file) : png(file);
     }
 
     private static Optional<Image> svg(byte[] file) {

@@ -24,7 +24,7 @@ import rasterlab.exercises.score.Message;
 final class StatementFormulas {
     private final Function<TexFormula, Optional<Typeset>> setter;
     private final String language;
-    private final Map<String, Typeset.Drawn> drawn = new LinkedHashMap<>();
+    private final Map<String, Typeset.FormulaOutline> drawn = new LinkedHashMap<>();
     private final List<TexFormula> awaited = new ArrayList<>();
 
     StatementFormulas(Function<TexFormula, Optional<Typeset>> setter, String language) {
@@ -33,7 +33,7 @@ final class StatementFormulas {
     }
 
     /** Formulas by the id of the element that has the source. */
-    Map<String, Typeset.Drawn> drawn() {
+    Map<String, Typeset.FormulaOutline> drawn() {
         return Map.copyOf(drawn);
     }
 
@@ -71,7 +71,7 @@ final class StatementFormulas {
         if (set.isEmpty()) {
             awaited.add(formula);
             out.text(formula.source());
-        } else if (set.get() instanceof Typeset.Drawn outline) {
+        } else if (set.get() instanceof Typeset.FormulaOutline outline) {
             String id = "formula-" + drawn.size();
             drawn.put(id, outline);
             out.tag("span", Map.of("id", id));

@@ -23,12 +23,12 @@ final class StatementKit extends HTMLEditorKit {
     private static final long serialVersionUID = 1L;
 
     private transient StyleSheet own;
-    private transient Map<String, Typeset.Drawn> formulas = Map.of();
+    private transient Map<String, Typeset.FormulaOutline> formulas = Map.of();
 
     /**
      * @param drawn what is shown instead of the text of an element, by its id
      */
-    void setFormulas(Map<String, Typeset.Drawn> drawn) {
+    void setFormulas(Map<String, Typeset.FormulaOutline> drawn) {
         formulas = Map.copyOf(drawn);
     }
 
@@ -37,7 +37,7 @@ final class StatementKit extends HTMLEditorKit {
         return new HTMLFactory() {
             @Override
             public View create(Element element) {
-                Typeset.Drawn formula = formulas.get(TypesetView.id(element));
+                Typeset.FormulaOutline formula = formulas.get(TypesetView.id(element));
                 if (formula != null) return new TypesetView(element, formula);
                 // A line of a program that is too long is wrapped, else all paragraphs are as wide.
                 Object kind = element.getAttributes().getAttribute(StyleConstants.NameAttribute);

@@ -36,7 +36,7 @@ final class TypesetView extends View {
 
     private static final FontRenderContext EXACT = new FontRenderContext(null, true, true);
 
-    private final Typeset.Drawn formula;
+    private final Typeset.FormulaOutline formula;
     private Color color;
     private Font font;
     private double em;
@@ -49,7 +49,7 @@ final class TypesetView extends View {
 
     private double descent;
 
-    TypesetView(Element element, Typeset.Drawn formula) {
+    TypesetView(Element element, Typeset.FormulaOutline formula) {
         super(element);
         this.formula = formula;
     }
@@ -87,8 +87,8 @@ final class TypesetView extends View {
      * capitals.
      */
     private static double em(Font font) {
-        double small = height(font, "x") / Typeset.Drawn.X_HEIGHT;
-        double capital = height(font, "E") / Typeset.Drawn.CAPITAL_HEIGHT;
+        double small = height(font, "x") / Typeset.FormulaOutline.X_HEIGHT;
+        double capital = height(font, "E") / Typeset.FormulaOutline.CAPITAL_HEIGHT;
         return (small + capital) / 2;
     }
 

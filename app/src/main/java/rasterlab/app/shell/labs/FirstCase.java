@@ -47,7 +47,7 @@ public record FirstCase(MethodCase scene, Optional<Program> program) {
             String topic, Optional<String> id, String source, List<Exercise> all) {
         List<Exercise> fit =
                 all.stream()
-                        .filter(one -> one.form() == Exercise.Form.WRITE)
+                        .filter(one -> one.form() == Exercise.TaskKind.WRITE)
                         .filter(one -> one.topic().equals(topic))
                         .toList();
         String ids = fit.stream().map(Exercise::id).collect(Collectors.joining(", "));

@@ -45,7 +45,7 @@ public final class SpeedChart {
         double bound = ExactBound.of(Topics.named(topic));
         var points = new ArrayList<Measurement>();
         points.add(point(OwnMethods.NAME, figures.ratio(), figures.error(), bound));
-        for (SpeedFigures.Method one : figures.methods())
+        for (SpeedFigures.MethodSpeed one : figures.methods())
             points.add(point(one.name(), one.ratio(), one.error(), bound));
         return new Study(topic, speed.item(), speed.errorUnit(), points);
     }

@@ -76,7 +76,7 @@ class ReportTextTest {
                         new Exercise.Case(
                                 NAME,
                                 caseTitle,
-                                Exercise.Kind.ACCURACY,
+                                Exercise.Criterion.ACCURACY,
                                 Disclosure.OPEN,
                                 1,
                                 "{}",

@@ -46,8 +46,9 @@ class SpeedPictureTest {
                             2,
                             0,
                             List.of(
-                                    new SpeedFigures.Method("dda", 3, 0),
-                                    new SpeedFigures.Method("wu", 12, Double.POSITIVE_INFINITY))));
+                                    new SpeedFigures.MethodSpeed("dda", 3, 0),
+                                    new SpeedFigures.MethodSpeed(
+                                            "wu", 12, Double.POSITIVE_INFINITY))));
 
     @AfterEach
     void usualTheme() throws Exception {

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.settings.LabTheme;
-import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Exercise.TaskKind;
 
 class SourceEditorTest {
     private static final String LONG_LINE = "int x = 1; ".repeat(20) + "\nint y;\n";
@@ -52,7 +52,7 @@ class SourceEditorTest {
                 () -> {
                     var editor = new SourceEditor(text -> {});
                     editor.wear(Texts.of("exercise", Language.ENGLISH));
-                    editor.show("line", Form.BREAK, "old");
+                    editor.show("line", TaskKind.BREAK, "old");
                     var area = (JTextArea) named(editor, "source").orElseThrow();
                     area.selectAll();
                     type(area, "{\"a\": [1]}");
@@ -71,7 +71,7 @@ class SourceEditorTest {
         var editor = new SourceEditor(text -> {});
         editor.wear(Texts.of("exercise", Language.ENGLISH));
         editor.setPoints(points);
-        editor.show("line", Form.WRITE, LONG_LINE);
+        editor.show("line", TaskKind.WRITE, LONG_LINE);
         editor.addNotify();
         width(editor);
         return editor;

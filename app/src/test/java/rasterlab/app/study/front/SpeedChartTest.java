@@ -19,8 +19,8 @@ import rasterlab.exercises.score.SpeedFigures;
 
 /** A program's place among the methods of its topic, in the window as on the server's page. */
 class SpeedChartTest {
-    private static SpeedFigures.Method method(String name, double ratio, double error) {
-        return new SpeedFigures.Method(
+    private static SpeedFigures.MethodSpeed method(String name, double ratio, double error) {
+        return new SpeedFigures.MethodSpeed(
                 name, new MedianInterval(0.97 * ratio, ratio, 1.03 * ratio), error);
     }
 

@@ -154,7 +154,7 @@ public final class Child implements AutoCloseable {
 
     /** The judge ended while a grading went on: nothing that the student's method did. */
     private static ChildLost closedByOurselves() {
-        return new ChildLost(ChildLost.Reason.KILLED, Message.of("child.no-judge"));
+        return new ChildLost(ChildLost.LossReason.KILLED, Message.of("child.no-judge"));
     }
 
     public static String seconds(Duration limit) {
@@ -200,16 +200,17 @@ public final class Child implements AutoCloseable {
     private ChildLost ended() {
         boolean byItself = waitFor(GRACE);
         close();
-        if (!byItself) return new ChildLost(ChildLost.Reason.PROTOCOL, Message.of("child.closed"));
+        if (!byItself)
+            return new ChildLost(ChildLost.LossReason.PROTOCOL, Message.of("child.closed"));
         int status = process.exitValue();
         return switch (status) {
             case Wire.EXIT_MEMORY ->
-                    new ChildLost(ChildLost.Reason.MEMORY, Message.of("child.memory"));
+                    new ChildLost(ChildLost.LossReason.MEMORY, Message.of("child.memory"));
             case Wire.EXIT_OUTPUT ->
-                    new ChildLost(ChildLost.Reason.OUTPUT, Message.of("child.output"));
+                    new ChildLost(ChildLost.LossReason.OUTPUT, Message.of("child.output"));
             default ->
                     new ChildLost(
-                            status > 128 ? ChildLost.Reason.SIGNAL : ChildLost.Reason.ENDED,
+                            status > 128 ? ChildLost.LossReason.SIGNAL : ChildLost.LossReason.ENDED,
                             Message.of("child.ended", status));
         };
     }

@@ -8,7 +8,7 @@ public final class ChildLost extends Exception {
     private static final long serialVersionUID = 1L;
 
     /** Why there is no answer. */
-    public enum Reason {
+    public enum LossReason {
         /** The limit of processor time, or that of wall time, passed. */
         TIME,
         /** The child ended because its memory did not suffice. */
@@ -25,15 +25,15 @@ public final class ChildLost extends Exception {
         PROTOCOL
     }
 
-    private final Reason reason;
+    private final LossReason reason;
     private final transient Message said;
     private final boolean idle;
 
-    public ChildLost(Reason reason, Message said) {
+    public ChildLost(LossReason reason, Message said) {
         this(reason, said, false);
     }
 
-    private ChildLost(Reason reason, Message said, boolean idle) {
+    private ChildLost(LossReason reason, Message said, boolean idle) {
         super(said.toString());
         this.reason = reason;
         this.said = said;
@@ -47,12 +47,12 @@ public final class ChildLost extends Exception {
                 idle
                         ? Message.of("child.time.idle", Child.seconds(limit.wall()))
                         : Message.of("child.time", Child.seconds(limit.processor()));
-        return new ChildLost(Reason.TIME, said, idle);
+        return new ChildLost(LossReason.TIME, said, idle);
     }
 
     /** Describes a child that sent what is no answer. */
     public static ChildLost protocol(Exception fault) {
-        return new ChildLost(Reason.PROTOCOL, Message.of("child.protocol", fault.getMessage()));
+        return new ChildLost(LossReason.PROTOCOL, Message.of("child.protocol", fault.getMessage()));
     }
 
     /**
@@ -66,7 +66,7 @@ public final class ChildLost extends Exception {
         return said;
     }
 
-    public Reason reason() {
+    public LossReason reason() {
         return reason;
     }
 
@@ -76,6 +76,6 @@ public final class ChildLost extends Exception {
      * @param again whether it happened in a second try, too
      */
     public boolean isOursToRepeat(boolean again) {
-        return reason == Reason.KILLED || (reason == Reason.SIGNAL && !again);
+        return reason == LossReason.KILLED || (reason == LossReason.SIGNAL && !again);
     }
 }

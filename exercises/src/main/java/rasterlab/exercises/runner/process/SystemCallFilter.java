@@ -48,7 +48,7 @@ public final class SystemCallFilter {
     private static final int INSTRUCTION_BYTES = 8;
 
     /** An architecture for which the table has numbers. */
-    enum Machine {
+    enum Architecture {
         X86_64(0xC000003E, 1, 56),
         AARCH64(0xC00000B7, 2, 220);
 
@@ -56,7 +56,7 @@ public final class SystemCallFilter {
         private final int column;
         private final int clone;
 
-        Machine(int code, int column, int clone) {
+        Architecture(int code, int column, int clone) {
             this.code = code;
             this.column = column;
             this.clone = clone;
@@ -69,13 +69,13 @@ public final class SystemCallFilter {
     public static Optional<byte[]> program() {
         if (!System.getProperty("os.name").equals("Linux")) return Optional.empty();
         return switch (System.getProperty("os.arch")) {
-            case "amd64" -> Optional.of(program(Machine.X86_64));
-            case "aarch64" -> Optional.of(program(Machine.AARCH64));
+            case "amd64" -> Optional.of(program(Architecture.X86_64));
+            case "aarch64" -> Optional.of(program(Architecture.AARCH64));
             default -> Optional.empty();
         };
     }
 
-    static byte[] program(Machine machine) {
+    static byte[] program(Architecture machine) {
         List<Integer> allowed = allowed(machine);
         ByteBuffer program =
                 ByteBuffer.allocate((2 * allowed.size() + 11) * INSTRUCTION_BYTES)
@@ -106,7 +106,7 @@ public final class SystemCallFilter {
         program.putShort((short) code).put((byte) yes).put((byte) no).putInt(value);
     }
 
-    private static List<Integer> allowed(Machine machine) {
+    private static List<Integer> allowed(Architecture machine) {
         List<Integer> numbers = new ArrayList<>();
         try (var in = SystemCallFilter.class.getResourceAsStream("system-calls.txt");
                 var lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8))) {

@@ -24,7 +24,8 @@ final class OwnClasses {
      * @param members each declared field and method
      * @param constructible whether everybody may make an instance from nothing
      */
-    record Shape(int access, List<String> parents, Set<Member> members, boolean constructible) {}
+    record ClassShape(
+            int access, List<String> parents, Set<Member> members, boolean constructible) {}
 
     /**
      * Shares the texts of its class file, in which many members may have one long descriptor. In an
@@ -40,7 +41,7 @@ final class OwnClasses {
         }
     }
 
-    private final Map<String, Shape> shapes = new HashMap<>();
+    private final Map<String, ClassShape> shapes = new HashMap<>();
     private final Map<String, Set<String>> lineages = new HashMap<>();
 
     /**
@@ -56,7 +57,7 @@ final class OwnClasses {
             parents.addAll(List.of(reader.getInterfaces()));
             shapes.put(
                     reader.getClassName(),
-                    new Shape(
+                    new ClassShape(
                             reader.getAccess(), parents, declared.members, declared.constructible));
         }
     }
@@ -97,7 +98,7 @@ final class OwnClasses {
         return shapes.keySet();
     }
 
-    Shape shape(String type) {
+    ClassShape shape(String type) {
         return shapes.get(type);
     }
 

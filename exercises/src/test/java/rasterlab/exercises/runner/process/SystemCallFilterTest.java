@@ -121,13 +121,13 @@ class SystemCallFilterTest {
     @Test
     @DisplayName("numbers of another architecture pass, where socket is read")
     void anotherArchitectureEndsTheProcess() {
-        assertEquals(KILLED, run(SystemCallFilter.Machine.X86_64, 0x40000003, 0, 0));
-        assertEquals(KILLED, run(SystemCallFilter.Machine.AARCH64, X86_64, 63, 0));
+        assertEquals(KILLED, run(SystemCallFilter.Architecture.X86_64, 0x40000003, 0, 0));
+        assertEquals(KILLED, run(SystemCallFilter.Architecture.AARCH64, X86_64, 63, 0));
     }
 
     @ParameterizedTest(name = "the kernel does not take the program for {0}")
-    @EnumSource(SystemCallFilter.Machine.class)
-    void endsWithAnAnswer(SystemCallFilter.Machine machine) {
+    @EnumSource(SystemCallFilter.Architecture.class)
+    void endsWithAnAnswer(SystemCallFilter.Architecture machine) {
         byte[] program = SystemCallFilter.program(machine);
         assertTrue(program.length / 8 < 4096, "too long");
         assertEquals(0x06, program[program.length - 8], "the last instruction returns");
@@ -168,14 +168,14 @@ class SystemCallFilterTest {
     private static long answer(int architecture, int number, int argument) {
         var machine =
                 architecture == X86_64
-                        ? SystemCallFilter.Machine.X86_64
-                        : SystemCallFilter.Machine.AARCH64;
+                        ? SystemCallFilter.Architecture.X86_64
+                        : SystemCallFilter.Architecture.AARCH64;
         return run(machine, architecture, number, argument);
     }
 
     /** Runs the filter on one call, by the rules of the kernel's interpreter. */
     private static long run(
-            SystemCallFilter.Machine machine, int architecture, int number, int argument) {
+            SystemCallFilter.Architecture machine, int architecture, int number, int argument) {
         ByteBuffer program = little(SystemCallFilter.program(machine));
         ByteBuffer call = little(new byte[64]);
         call.putInt(0, number).putInt(4, architecture).putInt(16, argument);

@@ -58,7 +58,7 @@ internal fun FlowContent.waysOfClass(
     here: String,
 ) = p("ways") {
     a("/instructor/courses/${course.id}/exercises") { +texts.say("rules.back") }
-    CLASS_PAGES.filter { it != here && (it != "front" || exercise.form() == Exercise.Form.WRITE) }.forEach { page ->
+    CLASS_PAGES.filter { it != here && (it != "front" || exercise.form() == Exercise.TaskKind.WRITE) }.forEach { page ->
         a("${rulesAddress(course, exercise)}/$page") { +texts.say("$page.heading") }
     }
 }

@@ -108,7 +108,7 @@ private suspend fun ApplicationCall.respondErrors(
             h2 { +texts.say("errors.without") }
             ul { map.withoutCases.forEach { li { work(texts, it) } } }
         }
-        if (exercise.form() == Exercise.Form.WRITE && map.cases.isNotEmpty()) groups(texts, exercise, map.groups)
+        if (exercise.form() == Exercise.TaskKind.WRITE && map.cases.isNotEmpty()) groups(texts, exercise, map.groups)
     }
 }
 
