@@ -185,6 +185,17 @@ class PlannerTest {
     }
 
     @Test
+    void backsThatAreDrawnBeforeFrontsAreCountedAsLit() {
+        Scene torus = Scenes.named("torus");
+        Plan plan =
+                planner.plan(
+                        seen(torus, torus.defaultCamera(), 160, 120), new Tolerance(0.5, 4, 0));
+        long lit = WorkCount.of(plan.full(), () -> false).pixelLights();
+        assertEquals(lit, plan.fullCost().work().pixelLights(), 0.2 * lit);
+        assertTrue(plan.least().look().savings().frontsOnly(), plan.decisions().toString());
+    }
+
+    @Test
     void facesAtTheOutlineAreCountedAsDrawn() {
         Scene sphere = Scenes.named("sphere", 12);
         RenderRequest asked = seen(sphere, sphere.defaultCamera(), 32, 24);
