@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoubleSupplier;
 import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -42,11 +43,6 @@ public record StageTimes(Map<String, Double> milliseconds, int rounds) {
         Bounds.requireAtLeast("rounds", rounds, 1);
     }
 
-    /** Something that is timed again and again. */
-    private interface Timed {
-        double milliseconds();
-    }
-
     /**
      * Measures a picture of faces.
      *
@@ -56,7 +52,7 @@ public record StageTimes(Map<String, Double> milliseconds, int rounds) {
      */
     public static StageTimes of(RenderRequest request, double budget, BooleanSupplier cancelled) {
         RenderRequest known = request.withVisibility(Renderer.visibility(request).chosen());
-        var timed = new LinkedHashMap<String, Timed>();
+        var timed = new LinkedHashMap<String, DoubleSupplier>();
         withLessLight(known)
                 .forEach((stage, left) -> timed.put(stage, () -> drawn(left, cancelled)));
         var out = new Raster(request.width(), request.height());
@@ -67,7 +63,7 @@ public record StageTimes(Map<String, Double> milliseconds, int rounds) {
         int rounds = 0;
         while (rounds < LEAST_ROUNDS
                 || rounds < MOST_ROUNDS && (System.nanoTime() - start) / 1e6 < budget) {
-            timed.forEach((stage, one) -> least.merge(stage, one.milliseconds(), Math::min));
+            timed.forEach((stage, one) -> least.merge(stage, one.getAsDouble(), Math::min));
             clear = Math.min(clear, processor(() -> out.clear(0)));
             rounds++;
         }
