@@ -25,8 +25,8 @@ class ClassFront(
     private val database: Database,
 ) {
     /**
-     * The places of a course's last results for the exercise as it is now, the quickest first; other revisions have other
-     * inputs, so that their times are not compared.
+     * The places of a course's last results for the exercise as it is now, the quickest first; other revisions have
+     * other inputs, so that their times are not compared.
      */
     fun of(
         course: String,
@@ -40,7 +40,8 @@ class ClassFront(
                     "students.id AS student, students.shown_name, last.id AS submission, measured.*",
                     """JOIN students ON students.id = last.student_id
                        JOIN results AS measured ON measured.id = last.result""",
-                    """AND measured.revision = :revision AND measured.reference_nanos > 0 AND measured.nanos_per_item > 0""",
+                    """AND measured.revision = :revision
+                       AND measured.reference_nanos > 0 AND measured.nanos_per_item > 0""",
                 ).bind("revision", exercise.revision())
                 .map { row, _ ->
                     FrontPoint(

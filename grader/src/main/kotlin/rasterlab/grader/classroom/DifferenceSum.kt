@@ -54,8 +54,9 @@ class DifferenceSum(
         worst?.let { (at, pixel) -> said(at.first, at.second, pixel.missing, pixel.extra) }.orEmpty()
 
     /**
-     * The picture as SVG for white paper: grey squares are right, an orange ring is missing and a blue cross in excess, the
-     * larger the more students have it. At most [MOST_COLUMNS] × [MOST_ROWS] pixels around the one that most have wrong.
+     * The picture as SVG for white paper: grey squares are right, an orange ring is missing and a blue cross in excess,
+     * the larger the more students have it. It has at most [MOST_COLUMNS] × [MOST_ROWS] pixels, around the one that most
+     * have wrong.
      */
     fun svg(): String {
         val part = part()

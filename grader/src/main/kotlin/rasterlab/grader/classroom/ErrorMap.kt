@@ -115,7 +115,7 @@ class ErrorMap(
     /** The sentences without those that explain all failures together, which may be of other cases. */
     private fun answer(said: Message) = Message(said.sentences.takeWhile { !it.key.startsWith("cause.") })
 
-    /** The mistake that a report tells to explain all that is wrong, or else the one that each of [marks] is told to have. */
+    /** The mistake that a report tells to explain all that is wrong, or else the one that each of [marks] shows. */
     private fun mistake(
         members: List<LastResult>,
         marks: List<CaseMark>,

@@ -43,7 +43,7 @@ import rasterlab.grader.web.staffHere
 import rasterlab.grader.web.studentHere
 import rasterlab.grader.web.texts
 
-/** Shows speed against accuracy of a class: a student the own place among others without names, staff all with names. */
+/** Shows speed against accuracy of a class: to a student the own place and others without names, to staff the names. */
 fun Route.frontPages(
     accounts: Accounts,
     courses: Courses,
