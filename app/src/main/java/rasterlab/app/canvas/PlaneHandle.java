@@ -27,7 +27,7 @@ final class PlaneHandle extends SelfDrawn {
     private static final int FAR = 10;
 
     /** The plane as its handles see it. */
-    interface Plane {
+    interface DragTarget {
         void beginDrag();
 
         void endDrag();
@@ -46,13 +46,13 @@ final class PlaneHandle extends SelfDrawn {
         void seek();
     }
 
-    private final transient Plane plane;
+    private final transient DragTarget plane;
     private transient PlanePoint point;
 
     /** Where the point lies if it is out of sight: the angle clockwise from the right. */
     private transient OptionalDouble away = OptionalDouble.empty();
 
-    PlaneHandle(PlanePoint point, Plane plane) {
+    PlaneHandle(PlanePoint point, DragTarget plane) {
         super(AccessibleRole.SLIDER);
         this.plane = plane;
         setName(point.name());

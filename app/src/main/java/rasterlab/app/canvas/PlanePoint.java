@@ -9,9 +9,10 @@ package rasterlab.app.canvas;
  * @param label painted beside it, "" for none
  * @param said its name and place for assistive technology, in the window's language
  */
-public record PlanePoint(String name, double x, double y, Form form, String label, String said) {
+public record PlanePoint(
+        String name, double x, double y, HandleShape form, String label, String said) {
     /** The shape of its handle, so that points of different kinds differ without colour. */
-    public enum Form {
+    public enum HandleShape {
         CIRCLE,
         SQUARE,
         DIAMOND

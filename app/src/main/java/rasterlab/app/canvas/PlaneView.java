@@ -284,7 +284,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     }
 
     /** Translates the mouse and the keys of handles to world coordinates. */
-    private final class Handled implements PlaneHandle.Plane {
+    private final class Handled implements PlaneHandle.DragTarget {
         @Override
         public void beginDrag() {
             edits.beginDrag();

@@ -27,11 +27,11 @@ import rasterlab.engine.raster.Plotted;
  */
 public record TopicBinding<M>(
         Show<M> show,
-        Optional<Notes<M>> notes,
+        Optional<PictureNotes<M>> notes,
         Optional<Cases<M>> cases,
         boolean anyInput,
         Optional<ShowOwn<M>> own,
-        Optional<Writing<M>> written) {
+        Optional<InputWriter<M>> written) {
     /** Shows an input by a method of the topic, "" for the lab's own. */
     public interface Show<M> {
         void show(M lab, TopicInput input, String method);
@@ -44,11 +44,13 @@ public record TopicBinding<M>(
      * @param drawsBy whether the picture shows what that method does
      * @param note says so beside the picture that is shown
      */
-    public record Notes<M>(
-            Comparison<M> differences, Predicate<String> drawsBy, BiConsumer<M, HazardNote> note) {}
+    public record PictureNotes<M>(
+            InputComparison<M> differences,
+            Predicate<String> drawsBy,
+            BiConsumer<M, HazardNote> note) {}
 
     /** Finds in what a lab shows an input otherwise than it is. */
-    public interface Comparison<M> {
+    public interface InputComparison<M> {
         List<ShownDifference> differences(M lab, TopicInput input, String method);
     }
 
@@ -74,7 +76,7 @@ public record TopicBinding<M>(
     }
 
     /** Tells the input that a lab shows. */
-    public interface Writing<M> {
+    public interface InputWriter<M> {
         /**
          * A JSON object, as {@code ./lab run} takes it; empty where the lab shows no such input.
          */
@@ -88,7 +90,7 @@ public record TopicBinding<M>(
     }
 
     /** The way of a lab that says beside its picture in what that is unlike an input. */
-    public static <M> TopicBinding<M> noted(Show<M> show, Notes<M> notes) {
+    public static <M> TopicBinding<M> noted(Show<M> show, PictureNotes<M> notes) {
         return new TopicBinding<>(
                 show,
                 Optional.of(notes),
@@ -129,12 +131,12 @@ public record TopicBinding<M>(
      */
     public TopicBinding<M> writing(String topic, Function<M, Optional<String>> command) {
         return writing(
-                (Writing<M>)
+                (InputWriter<M>)
                         lab -> command.apply(lab).flatMap(told -> CommandInput.in(topic, told)));
     }
 
     /** This binding in a lab that tells its input. */
-    public TopicBinding<M> writing(Writing<M> input) {
+    public TopicBinding<M> writing(InputWriter<M> input) {
         return new TopicBinding<>(show, notes, cases, anyInput, own, Optional.of(input));
     }
 

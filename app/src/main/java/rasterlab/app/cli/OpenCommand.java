@@ -108,7 +108,7 @@ final class OpenCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
-    private FirstCase first(MethodCase scene, Optional<FirstCase.Program> program) {
+    private FirstCase first(MethodCase scene, Optional<FirstCase.WrittenSource> program) {
         try {
             return new FirstCase(scene, program);
         } catch (IllegalArgumentException e) {
@@ -116,14 +116,14 @@ final class OpenCommand implements Callable<Integer> {
         }
     }
 
-    private Optional<FirstCase.Program> program(String topic) {
+    private Optional<FirstCase.WrittenSource> program(String topic) {
         if (source == null) return Optional.empty();
         List<Exercise> all = exercises.catalogue(console).all();
         try {
             String text = SourceFile.read(source);
             var written = FirstCase.exerciseOn(topic, Optional.ofNullable(exercise), text, all);
             String name = String.valueOf(source.getFileName());
-            return Optional.of(new FirstCase.Program(written, text, name));
+            return Optional.of(new FirstCase.WrittenSource(written, text, name));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }

@@ -240,7 +240,7 @@ final class ClipInspector {
     /** Why the method refused: in its own words where those are the window's language. */
     private String refusal(ClipLabState state) {
         Clipping clipping = state.results().clipping();
-        if (clipping.ending() != Clipping.Ending.REFUSED) return "";
+        if (clipping.ending() != Clipping.ClipEnding.REFUSED) return "";
         if (clipping.method().equals(OwnMethods.NAME))
             return OwnWords.reason(OwnMethods.NAME, clipping.message(), texts.language());
         return texts.language() == Language.ENGLISH

@@ -258,7 +258,8 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     /** The grip, or the first one of a scene that does not have it. */
     private static ClipGrip existing(ClipScene scene, ClipGrip grip) {
         if (scene instanceof VolumeScene volume)
-            return grip.kind() == ClipGrip.Kind.END && grip.index() < volume.segments().size()
+            return grip.kind() == ClipGrip.ClipGripKind.END
+                            && grip.index() < volume.segments().size()
                     ? grip
                     : ClipGrip.end(0, 0);
         return scene.grips().containsKey(grip) ? grip : scene.grips().keySet().iterator().next();

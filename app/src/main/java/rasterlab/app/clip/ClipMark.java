@@ -7,7 +7,7 @@ import rasterlab.app.clip.scene.PlaneFigures;
 /** One thing in the picture, in plane coordinates; {@link ClipPainter} knows how it looks. */
 sealed interface ClipMark {
     /** The meaning of a line or an area. */
-    enum Ink {
+    enum MarkMeaning {
         /** The window or volume and its sides. */
         WINDOW,
         /** An edge of the volume behind the others. */
@@ -33,7 +33,7 @@ sealed interface ClipMark {
     }
 
     /** The meaning of a sign's shape. */
-    enum Shape {
+    enum SignShape {
         /** A filled arrow head: the segment enters here. */
         ENTERING,
         /** A hollow arrow head: it leaves here. */
@@ -45,14 +45,14 @@ sealed interface ClipMark {
     }
 
     /** A line through points in turn, and back to the first one if it is closed. */
-    record Line(List<ClipPoint> points, boolean closed, Ink ink) implements ClipMark {
-        static Line of(double[] ends, Ink ink) {
-            return new Line(PlaneFigures.points(ends), false, ink);
+    record MarkedLine(List<ClipPoint> points, boolean closed, MarkMeaning ink) implements ClipMark {
+        static MarkedLine of(double[] ends, MarkMeaning ink) {
+            return new MarkedLine(PlaneFigures.points(ends), false, ink);
         }
     }
 
     /** The inside of a closed line. */
-    record Area(List<ClipPoint> corners, Ink ink) implements ClipMark {}
+    record MarkedArea(List<ClipPoint> corners, MarkMeaning ink) implements ClipMark {}
 
     /**
      * A sign.
@@ -60,7 +60,7 @@ sealed interface ClipMark {
      * @param dx the way an arrow head points, with dy
      * @param words beside it, "" for none
      */
-    record Sign(ClipPoint at, double dx, double dy, Shape shape, String words)
+    record MarkedSign(ClipPoint at, double dx, double dy, SignShape shape, String words)
             implements ClipMark {}
 
     /** Words in the middle of what is seen of a region, whose ends may be infinite. */

@@ -75,23 +75,23 @@ final class ClipPainter {
      * @throws CancellationException soon after {@code cancelled} says true
      */
     void paint(List<ClipMark> drawn, BooleanSupplier cancelled) {
-        List<Line2D> segments = segments(drawn, inView, ClipMark.Ink.GIVEN);
+        List<Line2D> segments = segments(drawn, inView, ClipMark.MarkMeaning.GIVEN);
         for (ClipMark each : drawn) {
             if (cancelled.getAsBoolean())
                 throw new CancellationException("a newer frame is asked for");
-            if (each instanceof ClipMark.Area area) paint(area);
-            else if (each instanceof ClipMark.Line line) paint(line);
+            if (each instanceof ClipMark.MarkedArea area) paint(area);
+            else if (each instanceof ClipMark.MarkedLine line) paint(line);
             else if (each instanceof ClipMark.Region region) paint(region, segments);
-            else if (each instanceof ClipMark.Sign sign) paint(sign);
+            else if (each instanceof ClipMark.MarkedSign sign) paint(sign);
         }
     }
 
-    private void paint(ClipMark.Area area) {
+    private void paint(ClipMark.MarkedArea area) {
         g.setColor(ground(area.ink()));
         inView.area(area.corners()).ifPresent(g::fill);
     }
 
-    private Color ground(ClipMark.Ink ink) {
+    private Color ground(ClipMark.MarkMeaning ink) {
         return switch (ink) {
             case WINDOW -> colors.margin();
             case TESTED -> translucent(colors.focus());
@@ -104,7 +104,7 @@ final class ClipPainter {
         return new Color(color.getRed(), color.getGreen(), color.getBlue(), TRANSLUCENT);
     }
 
-    private void paint(ClipMark.Line line) {
+    private void paint(ClipMark.MarkedLine line) {
         Path2D path = inView.line(line.points(), line.closed());
         switch (line.ink()) {
             case WINDOW -> stroke(path, colors.ink(), 2f);
@@ -147,7 +147,7 @@ final class ClipPainter {
     }
 
     /** Draws missing parts dashed with rings, and parts that are too much whole with crosses. */
-    private void wrong(Path2D path, ClipMark.Line line, Color color, PixelMark mark) {
+    private void wrong(Path2D path, ClipMark.MarkedLine line, Color color, PixelMark mark) {
         if (mark == PixelMark.MISSING) {
             stroke(path, colors.ground(), 5f);
             dashed(path, color, 3.2f, 7);
@@ -165,10 +165,10 @@ final class ClipPainter {
     }
 
     /** Lines of that ink, such as what is to be clipped, where they are seen, in view units. */
-    static List<Line2D> segments(List<ClipMark> drawn, InView inView, ClipMark.Ink ink) {
+    static List<Line2D> segments(List<ClipMark> drawn, InView inView, ClipMark.MarkMeaning ink) {
         var segments = new ArrayList<Line2D>();
         for (ClipMark each : drawn)
-            if (each instanceof ClipMark.Line line && line.ink() == ink)
+            if (each instanceof ClipMark.MarkedLine line && line.ink() == ink)
                 add(segments, inView.line(line.points(), line.closed()));
         return segments;
     }
@@ -220,7 +220,7 @@ final class ClipPainter {
         }
     }
 
-    private void paint(ClipMark.Sign sign) {
+    private void paint(ClipMark.MarkedSign sign) {
         if (!inView.holds(sign.at())) return;
         double x = map.viewX(sign.at().x());
         double y = map.viewY(sign.at().y());

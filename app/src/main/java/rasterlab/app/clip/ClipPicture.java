@@ -52,8 +52,8 @@ record ClipPicture(
      */
     static ClipPicture of(ClipScene scene, Clipping clipping, int step, Locale locale) {
         var wrong = new ArrayList<ClipMark>();
-        add(wrong, scene, clipping.wrong().missing(), ClipMark.Ink.MISSING);
-        add(wrong, scene, clipping.wrong().extra(), ClipMark.Ink.EXTRA);
+        add(wrong, scene, clipping.wrong().missing(), ClipMark.MarkMeaning.MISSING);
+        add(wrong, scene, clipping.wrong().extra(), ClipMark.MarkMeaning.EXTRA);
         return of(scene, clipping, "", step, wrong, locale);
     }
 
@@ -65,23 +65,24 @@ record ClipPicture(
                         edges(results.scene(), results.clipping()),
                         results.unit());
         var wrong = new ArrayList<ClipMark>();
-        add(wrong, results.scene(), between.missing(), ClipMark.Ink.ONLY_SECOND);
-        add(wrong, results.scene(), between.extra(), ClipMark.Ink.ONLY_FIRST);
+        add(wrong, results.scene(), between.missing(), ClipMark.MarkMeaning.ONLY_SECOND);
+        add(wrong, results.scene(), between.extra(), ClipMark.MarkMeaning.ONLY_FIRST);
         return of(results.scene(), results.clipping(), other.method(), step, wrong, locale);
     }
 
     private static List<double[]> edges(ClipScene scene, Clipping clipping) {
-        List<double[]> parts = clipping.parts().stream().map(Clipping.Part::coordinates).toList();
+        List<double[]> parts =
+                clipping.parts().stream().map(Clipping.ClipPart::coordinates).toList();
         return scene instanceof PolygonClipScene ? PolygonClipping.edges(parts) : parts;
     }
 
     private static void add(
-            List<ClipMark> wrong, ClipScene scene, List<double[]> edges, ClipMark.Ink ink) {
+            List<ClipMark> wrong, ClipScene scene, List<double[]> edges, ClipMark.MarkMeaning ink) {
         List<double[]> shown =
                 scene instanceof VolumeScene volume
                         ? VolumeDrawing.inPicture(volume, edges)
                         : edges;
-        for (double[] edge : shown) wrong.add(ClipMark.Line.of(edge, ink));
+        for (double[] edge : shown) wrong.add(ClipMark.MarkedLine.of(edge, ink));
     }
 
     private static ClipPicture of(
@@ -109,7 +110,7 @@ record ClipPicture(
     @Override
     public List<Line2D> lines(PlaneMap map, Rectangle view) {
         var inView = new InView(map, view);
-        return Stream.of(ClipMark.Ink.GIVEN, ClipMark.Ink.WINDOW)
+        return Stream.of(ClipMark.MarkMeaning.GIVEN, ClipMark.MarkMeaning.WINDOW)
                 .flatMap(ink -> ClipPainter.segments(drawn, inView, ink).stream())
                 .toList();
     }

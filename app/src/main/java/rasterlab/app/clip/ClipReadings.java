@@ -42,7 +42,7 @@ final class ClipReadings {
 
     private String beforeOrAfter() {
         int steps = state.results().clipping().steps().size();
-        if (state.results().clipping().ending() == Clipping.Ending.ENDLESS && state.finished())
+        if (state.results().clipping().ending() == Clipping.ClipEnding.ENDLESS && state.finished())
             return texts.text("step.endless");
         return state.finished() ? texts.text("step.result", steps) : texts.text("step.none");
     }
@@ -107,7 +107,7 @@ final class ClipReadings {
             return state.results()
                     .clipping()
                     .part(item())
-                    .map(Clipping.Part::coordinates)
+                    .map(Clipping.ClipPart::coordinates)
                     .orElse(new double[0]);
         return scene instanceof SegmentScene plane
                 ? plane.segments().get(item()).ends()
@@ -156,7 +156,7 @@ final class ClipReadings {
                         ? plane.segments().size()
                         : ((VolumeScene) scene).segments().size();
         ClipGrip selected = state.selected();
-        int chosen = selected.kind() == ClipGrip.Kind.END ? selected.index() : 0;
+        int chosen = selected.kind() == ClipGrip.ClipGripKind.END ? selected.index() : 0;
         return Math.min(segments - 1, state.current().map(ClipStep::item).orElse(chosen));
     }
 
@@ -176,7 +176,7 @@ final class ClipReadings {
 
     /** Nothing is told of how right an answer is that never came. */
     private static boolean unanswered(Clipping clipping) {
-        return clipping.ending() != Clipping.Ending.ENDED;
+        return clipping.ending() != Clipping.ClipEnding.ENDED;
     }
 
     private String count(long parts) {

@@ -199,18 +199,18 @@ final class ClipStage extends JPanel implements AutoCloseable {
                 + ")";
     }
 
-    private static PlanePoint.Form form(ClipGrip grip) {
+    private static PlanePoint.HandleShape form(ClipGrip grip) {
         return switch (grip.kind()) {
-            case WINDOW -> PlanePoint.Form.SQUARE;
-            case CORNER -> PlanePoint.Form.DIAMOND;
-            case END -> PlanePoint.Form.CIRCLE;
+            case WINDOW -> PlanePoint.HandleShape.SQUARE;
+            case CORNER -> PlanePoint.HandleShape.DIAMOND;
+            case END -> PlanePoint.HandleShape.CIRCLE;
         };
     }
 
     /** An end with its region code; corners are told apart by their place alone. */
     private static String label(ClipScene scene, ClipGrip grip) {
-        if (grip.kind() == ClipGrip.Kind.WINDOW) return "";
-        if (grip.kind() == ClipGrip.Kind.CORNER) return grip.label();
+        if (grip.kind() == ClipGrip.ClipGripKind.WINDOW) return "";
+        if (grip.kind() == ClipGrip.ClipGripKind.CORNER) return grip.label();
         if (scene instanceof VolumeScene volume)
             return grip.label() + " " + Codes.bits(ClipReadings.code(volume, volume.end(grip)), 6);
         var plane = (SegmentScene) scene;

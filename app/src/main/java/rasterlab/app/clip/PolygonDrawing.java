@@ -30,10 +30,12 @@ final class PolygonDrawing {
     static List<ClipMark> of(
             PolygonClipScene scene, Clipping clipping, int step, List<ClipMark> wrong) {
         var drawing = new PolygonDrawing(scene);
-        drawing.add(new ClipMark.Area(scene.window().corners(), ClipMark.Ink.WINDOW));
-        drawing.add(new ClipMark.Area(scene.subject(), ClipMark.Ink.GIVEN));
-        drawing.add(new ClipMark.Line(scene.window().corners(), true, ClipMark.Ink.WINDOW));
-        drawing.add(new ClipMark.Line(scene.subject(), true, ClipMark.Ink.GIVEN));
+        drawing.add(new ClipMark.MarkedArea(scene.window().corners(), ClipMark.MarkMeaning.WINDOW));
+        drawing.add(new ClipMark.MarkedArea(scene.subject(), ClipMark.MarkMeaning.GIVEN));
+        drawing.add(
+                new ClipMark.MarkedLine(
+                        scene.window().corners(), true, ClipMark.MarkMeaning.WINDOW));
+        drawing.add(new ClipMark.MarkedLine(scene.subject(), true, ClipMark.MarkMeaning.GIVEN));
         boolean finished = step > clipping.steps().size();
         if (finished) drawing.pieces(clipping);
         else if (step > 0) drawing.step(clipping.steps().get(step - 1));
@@ -46,35 +48,36 @@ final class PolygonDrawing {
     }
 
     private void pieces(Clipping clipping) {
-        for (Clipping.Part part : clipping.parts()) {
+        for (Clipping.ClipPart part : clipping.parts()) {
             List<ClipPoint> corners = PlaneFigures.points(part.coordinates());
-            add(new ClipMark.Area(corners, ClipMark.Ink.LEFT));
-            add(new ClipMark.Line(corners, true, ClipMark.Ink.LEFT));
+            add(new ClipMark.MarkedArea(corners, ClipMark.MarkMeaning.LEFT));
+            add(new ClipMark.MarkedLine(corners, true, ClipMark.MarkMeaning.LEFT));
         }
     }
 
     private void step(ClipStep step) {
         List<ClipPoint> corners = PlaneFigures.points(step.left());
         boolean open = step.border() < 0;
-        if (!open) add(new ClipMark.Area(corners, ClipMark.Ink.LEFT));
+        if (!open) add(new ClipMark.MarkedArea(corners, ClipMark.MarkMeaning.LEFT));
         if (!open)
             add(
-                    ClipMark.Line.of(
-                            continued(side(scene.window(), step.border())), ClipMark.Ink.TESTED));
-        add(new ClipMark.Line(corners, !open, ClipMark.Ink.STEP));
+                    ClipMark.MarkedLine.of(
+                            continued(side(scene.window(), step.border())),
+                            ClipMark.MarkMeaning.TESTED));
+        add(new ClipMark.MarkedLine(corners, !open, ClipMark.MarkMeaning.STEP));
         if (step.passing() == ClipStep.Passing.BOTH) passage(step.places());
     }
 
     private void passage(double[] places) {
-        sign(places, 0, ClipMark.Shape.ENTERING);
-        sign(places, 2, ClipMark.Shape.LEAVING);
+        sign(places, 0, ClipMark.SignShape.ENTERING);
+        sign(places, 2, ClipMark.SignShape.LEAVING);
     }
 
-    private void sign(double[] places, int at, ClipMark.Shape shape) {
+    private void sign(double[] places, int at, ClipMark.SignShape shape) {
         var place = new ClipPoint(places[at], places[at + 1]);
         double[] way = inward(place);
-        double sense = shape == ClipMark.Shape.ENTERING ? 1 : -1;
-        add(new ClipMark.Sign(place, sense * way[0], sense * way[1], shape, ""));
+        double sense = shape == ClipMark.SignShape.ENTERING ? 1 : -1;
+        add(new ClipMark.MarkedSign(place, sense * way[0], sense * way[1], shape, ""));
     }
 
     /** The direction from a place on the rim towards the middle of the window. */

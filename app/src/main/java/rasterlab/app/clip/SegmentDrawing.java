@@ -36,7 +36,7 @@ final class SegmentDrawing {
         drawing.window(scene.window());
         if (scene.window().upright()) drawing.regions(scene.window().rectangle());
         for (PlaneSegment segment : scene.segments())
-            drawing.add(ClipMark.Line.of(segment.ends(), ClipMark.Ink.GIVEN));
+            drawing.add(ClipMark.MarkedLine.of(segment.ends(), ClipMark.MarkMeaning.GIVEN));
         boolean finished = step > clipping.steps().size();
         if (finished) drawing.parts(clipping, Integer.MAX_VALUE);
         else if (step > 0) drawing.step(clipping, clipping.steps().get(step - 1));
@@ -49,20 +49,22 @@ final class SegmentDrawing {
     }
 
     private void window(ShownWindow window) {
-        add(new ClipMark.Area(window.corners(), ClipMark.Ink.WINDOW));
+        add(new ClipMark.MarkedArea(window.corners(), ClipMark.MarkMeaning.WINDOW));
         if (window.upright())
-            for (int i = 0; i < 4; i++) add(endless(window.rectangle(), i, ClipMark.Ink.HELP));
-        add(new ClipMark.Line(window.corners(), true, ClipMark.Ink.WINDOW));
+            for (int i = 0; i < 4; i++)
+                add(endless(window.rectangle(), i, ClipMark.MarkMeaning.HELP));
+        add(new ClipMark.MarkedLine(window.corners(), true, ClipMark.MarkMeaning.WINDOW));
     }
 
     /** The line that holds a side of a rectangle. */
-    private static ClipMark endless(ClipWindow sides, int side, ClipMark.Ink ink) {
+    private static ClipMark endless(ClipWindow sides, int side, ClipMark.MarkMeaning ink) {
         double far = FAR * sides.unit();
         double x = side == 1 ? sides.xmax() : sides.xmin();
         double y = side == 2 ? sides.ymax() : sides.ymin();
         return side % 2 == 0
-                ? ClipMark.Line.of(new double[] {sides.xmin() - far, y, sides.xmax() + far, y}, ink)
-                : ClipMark.Line.of(
+                ? ClipMark.MarkedLine.of(
+                        new double[] {sides.xmin() - far, y, sides.xmax() + far, y}, ink)
+                : ClipMark.MarkedLine.of(
                         new double[] {x, sides.ymin() - far, x, sides.ymax() + far}, ink);
     }
 
@@ -90,18 +92,19 @@ final class SegmentDrawing {
 
     /** Draws the rests of the segments before one. */
     private void parts(Clipping clipping, int before) {
-        for (Clipping.Part part : clipping.parts())
-            if (part.item() < before) add(ClipMark.Line.of(part.coordinates(), ClipMark.Ink.LEFT));
+        for (Clipping.ClipPart part : clipping.parts())
+            if (part.item() < before)
+                add(ClipMark.MarkedLine.of(part.coordinates(), ClipMark.MarkMeaning.LEFT));
     }
 
     private void step(Clipping clipping, ClipStep step) {
         parts(clipping, step.item());
         if (step.border() >= 0) add(tested(step.border()));
-        add(ClipMark.Line.of(step.left(), ClipMark.Ink.STEP));
+        add(ClipMark.MarkedLine.of(step.left(), ClipMark.MarkMeaning.STEP));
         double[] ends = scene.segments().get(step.item()).ends();
         if (step.places().length > 0)
             add(
-                    new ClipMark.Sign(
+                    new ClipMark.MarkedSign(
                             new ClipPoint(step.places()[0], step.places()[1]),
                             ends[2] - ends[0],
                             ends[3] - ends[1],
@@ -109,17 +112,18 @@ final class SegmentDrawing {
                             Codes.decision(clipping.decidesByCode(), step, locale)));
     }
 
-    static ClipMark.Shape shape(ClipStep.Passing passing) {
+    static ClipMark.SignShape shape(ClipStep.Passing passing) {
         return switch (passing) {
-            case ENTERING -> ClipMark.Shape.ENTERING;
-            case LEAVING -> ClipMark.Shape.LEAVING;
-            case BOTH, NONE -> ClipMark.Shape.TESTED;
+            case ENTERING -> ClipMark.SignShape.ENTERING;
+            case LEAVING -> ClipMark.SignShape.LEAVING;
+            case BOTH, NONE -> ClipMark.SignShape.TESTED;
         };
     }
 
     private ClipMark tested(int border) {
         if (scene.window().upright())
-            return endless(scene.window().rectangle(), border, ClipMark.Ink.TESTED);
-        return ClipMark.Line.of(PolygonDrawing.side(scene.window(), border), ClipMark.Ink.TESTED);
+            return endless(scene.window().rectangle(), border, ClipMark.MarkMeaning.TESTED);
+        return ClipMark.MarkedLine.of(
+                PolygonDrawing.side(scene.window(), border), ClipMark.MarkMeaning.TESTED);
     }
 }

@@ -20,7 +20,7 @@ final class SignShapes {
      */
     static void paint(
             Graphics2D g,
-            ClipMark.Shape sign,
+            ClipMark.SignShape sign,
             double x,
             double y,
             double angle,
@@ -28,7 +28,7 @@ final class SignShapes {
         var place = AffineTransform.getTranslateInstance(x, y);
         place.rotate(angle);
         Shape shape = place.createTransformedShape(outline(sign));
-        boolean filled = sign == ClipMark.Shape.ENTERING || sign == ClipMark.Shape.TESTED;
+        boolean filled = sign == ClipMark.SignShape.ENTERING || sign == ClipMark.SignShape.TESTED;
         g.setStroke(new BasicStroke(5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.setColor(colors.ground());
         g.draw(shape);
@@ -37,11 +37,11 @@ final class SignShapes {
         g.setColor(colors.focus());
         if (filled) g.fill(shape);
         g.draw(shape);
-        if (sign == ClipMark.Shape.EYE)
+        if (sign == ClipMark.SignShape.EYE)
             g.fill(place.createTransformedShape(new Ellipse2D.Double(-3.5, -3.5, 7, 7)));
     }
 
-    private static Shape outline(ClipMark.Shape sign) {
+    private static Shape outline(ClipMark.SignShape sign) {
         return switch (sign) {
             case ENTERING, LEAVING -> arrow();
             case TESTED -> new Ellipse2D.Double(-5, -5, 10, 10);

@@ -47,7 +47,7 @@ final class VolumeDrawing {
                 step > 0 && step <= clipping.steps().size() ? clipping.steps().get(step - 1) : null;
         drawing.volume(current == null ? -1 : current.border());
         for (SpaceSegment segment : scene.segments())
-            drawing.line(segment.ends(), ClipMark.Ink.GIVEN);
+            drawing.line(segment.ends(), ClipMark.MarkMeaning.GIVEN);
         boolean finished = step > clipping.steps().size();
         if (finished) drawing.parts(clipping, Integer.MAX_VALUE);
         if (current != null) drawing.step(clipping, current);
@@ -85,15 +85,16 @@ final class VolumeDrawing {
     /** Draws the six faces; an edge between two that are turned away is behind the others. */
     private void volume(int tested) {
         if (scene.space() != VolumeSpace.CANONICAL) eye();
-        add(new ClipMark.Area(face(4), ClipMark.Ink.WINDOW));
-        add(new ClipMark.Area(face(5), ClipMark.Ink.WINDOW));
+        add(new ClipMark.MarkedArea(face(4), ClipMark.MarkMeaning.WINDOW));
+        add(new ClipMark.MarkedArea(face(5), ClipMark.MarkMeaning.WINDOW));
         var seen = new boolean[6];
         for (int face = 0; face < 6; face++) seen[face] = scene.view().faces(outward(face));
-        if (tested >= 0) add(new ClipMark.Area(face(tested), ClipMark.Ink.TESTED));
+        if (tested >= 0) add(new ClipMark.MarkedArea(face(tested), ClipMark.MarkMeaning.TESTED));
         for (int one = 0; one < 6; one++)
             for (int other = one + 1; other < 6; other++)
                 edge(one, other, seen[one] || seen[other]);
-        if (tested >= 0) add(new ClipMark.Line(face(tested), true, ClipMark.Ink.TESTED));
+        if (tested >= 0)
+            add(new ClipMark.MarkedLine(face(tested), true, ClipMark.MarkMeaning.TESTED));
     }
 
     private void edge(int one, int other, boolean seen) {
@@ -104,7 +105,11 @@ final class VolumeDrawing {
         if (shared.length != 2) return;
         List<ClipPoint> ends =
                 List.of(picture.of(corner(shared[0])), picture.of(corner(shared[1])));
-        add(new ClipMark.Line(ends, false, seen ? ClipMark.Ink.WINDOW : ClipMark.Ink.HIDDEN));
+        add(
+                new ClipMark.MarkedLine(
+                        ends,
+                        false,
+                        seen ? ClipMark.MarkMeaning.WINDOW : ClipMark.MarkMeaning.HIDDEN));
     }
 
     private List<ClipPoint> face(int face) {
@@ -133,9 +138,13 @@ final class VolumeDrawing {
     private void eye() {
         ClipPoint at = picture.of(new SpacePoint(0, 0, 0));
         for (int i = 0; i < 4; i++)
-            add(new ClipMark.Line(List.of(at, picture.of(corner(i))), false, ClipMark.Ink.HELP));
+            add(
+                    new ClipMark.MarkedLine(
+                            List.of(at, picture.of(corner(i))), false, ClipMark.MarkMeaning.HELP));
         ClipPoint ahead = picture.of(new SpacePoint(0, 0, 1));
-        add(new ClipMark.Sign(at, ahead.x() - at.x(), ahead.y() - at.y(), ClipMark.Shape.EYE, ""));
+        add(
+                new ClipMark.MarkedSign(
+                        at, ahead.x() - at.x(), ahead.y() - at.y(), ClipMark.SignShape.EYE, ""));
     }
 
     private void add(ClipMark one) {
@@ -145,12 +154,12 @@ final class VolumeDrawing {
     /**
      * Draws a segment of the normalised space; after the division only what lies before the eye.
      */
-    private void line(double[] ends, ClipMark.Ink ink) {
+    private void line(double[] ends, ClipMark.MarkMeaning ink) {
         if (ends.length == 0) return;
         double[] shown = scene.space() == VolumeSpace.CANONICAL ? inFront(ends) : ends;
         if (shown.length > 0)
             add(
-                    new ClipMark.Line(
+                    new ClipMark.MarkedLine(
                             List.of(picture.of(first(shown)), picture.of(second(shown))),
                             false,
                             ink));
@@ -169,13 +178,13 @@ final class VolumeDrawing {
     }
 
     private void parts(Clipping clipping, int before) {
-        for (Clipping.Part part : clipping.parts())
-            if (part.item() < before) line(part.coordinates(), ClipMark.Ink.LEFT);
+        for (Clipping.ClipPart part : clipping.parts())
+            if (part.item() < before) line(part.coordinates(), ClipMark.MarkMeaning.LEFT);
     }
 
     private void step(Clipping clipping, ClipStep step) {
         parts(clipping, step.item());
-        line(step.left(), ClipMark.Ink.STEP);
+        line(step.left(), ClipMark.MarkMeaning.STEP);
         if (step.places().length == 0) return;
         double[] ends = scene.segments().get(step.item()).ends();
         ClipPoint from = picture.of(first(ends));
@@ -183,7 +192,7 @@ final class VolumeDrawing {
         var at = new SpacePoint(step.places()[0], step.places()[1], step.places()[2]);
         if (picture.inFront(at))
             add(
-                    new ClipMark.Sign(
+                    new ClipMark.MarkedSign(
                             picture.of(at),
                             to.x() - from.x(),
                             to.y() - from.y(),

@@ -7,8 +7,8 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.widget.Formula;
+import rasterlab.app.canvas.widget.Formula.FormulaWords;
 import rasterlab.app.canvas.widget.Formula.Matrix;
-import rasterlab.app.canvas.widget.Formula.Words;
 import rasterlab.app.language.Texts;
 
 /**
@@ -37,7 +37,7 @@ final class VolumeFormulas {
     }
 
     private Formula title(String key) {
-        return Formula.of(new Words(texts.text(key)));
+        return Formula.of(new FormulaWords(texts.text(key)));
     }
 
     private Formula end(int row) {
@@ -46,7 +46,7 @@ final class VolumeFormulas {
         };
         String end = row < VolumeNumbers.STAGES ? "A1 " : "B1 ";
         return Formula.of(
-                new Words(end + stages[row % VolumeNumbers.STAGES] + " ="),
+                new FormulaWords(end + stages[row % VolumeNumbers.STAGES] + " ="),
                 new Matrix(List.of(cells(numbers.ends().get(row)))));
     }
 

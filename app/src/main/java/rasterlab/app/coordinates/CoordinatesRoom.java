@@ -108,7 +108,7 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     }
 
     /** Tells the list of matrices, and the points that go through them, as an input. */
-    private static TopicBinding.Writing<CoordinatesLabModel> listed(String topic) {
+    private static TopicBinding.InputWriter<CoordinatesLabModel> listed(String topic) {
         return lab ->
                 lab.in(CoordinatesMode.TRANSFORMATIONS)
                         .flatMap(shown -> shown.transformations().input(topic));

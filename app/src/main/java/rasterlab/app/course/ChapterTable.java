@@ -37,11 +37,11 @@ final class ChapterTable extends JPanel implements Scrollable {
      * @param cells one for each column; the last one takes the columns that are left
      * @param head whether it belongs to the chapter's title
      */
-    record Line(List<JComponent> cells, boolean head) {}
+    record ChapterRow(List<JComponent> cells, boolean head) {}
 
     private final transient MigLayout grid = new MigLayout("insets 4 10 12 16, gap " + GAP + " 1");
     private final transient List<List<JComponent>> headings = new ArrayList<>();
-    private final transient List<List<Line>> chapters = new ArrayList<>();
+    private final transient List<List<ChapterRow>> chapters = new ArrayList<>();
     private final int most;
     private int abreast;
 
@@ -59,7 +59,7 @@ final class ChapterTable extends JPanel implements Scrollable {
         cells.forEach(this::add);
     }
 
-    void addChapter(List<Line> lines) {
+    void addChapter(List<ChapterRow> lines) {
         chapters.add(List.copyOf(lines));
         lines.forEach(line -> line.cells().forEach(this::add));
     }
@@ -72,7 +72,7 @@ final class ChapterTable extends JPanel implements Scrollable {
         for (int i = 0; i < headings.size(); i++)
             for (JComponent each : headings.get(i)) each.setVisible(i < next);
         for (int i = 0; i < headings.size(); i++)
-            place(new Line(headings.get(i), true), Math.min(i, next - 1), 0);
+            place(new ChapterRow(headings.get(i), true), Math.min(i, next - 1), 0);
         int top = 1;
         for (int first = 0; first < chapters.size(); first += next) {
             var row = chapters.subList(first, Math.min(first + next, chapters.size()));
@@ -90,7 +90,7 @@ final class ChapterTable extends JPanel implements Scrollable {
         return (block + "[]" + BLOCK_GAP).repeat(abreast - 1) + block + "[grow]";
     }
 
-    private void place(Line line, int block, int row) {
+    private void place(ChapterRow line, int block, int row) {
         int last = line.cells().size() - 1;
         for (int i = 0; i <= last; i++) {
             int span = i == last ? CELLS - last : 1;
@@ -108,8 +108,8 @@ final class ChapterTable extends JPanel implements Scrollable {
     /** Width of a chapter with the gap to the next one, in pixels. */
     private int block() {
         int[] widest = new int[CELLS];
-        for (List<Line> lines : chapters)
-            for (Line line : lines)
+        for (List<ChapterRow> lines : chapters)
+            for (ChapterRow line : lines)
                 if (line.cells().size() == CELLS)
                     for (int i = 0; i < CELLS; i++)
                         widest[i] =

@@ -26,7 +26,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.lab.LargeType;
 import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.canvas.widget.WrappedText;
-import rasterlab.app.course.ChapterTable.Line;
+import rasterlab.app.course.ChapterTable.ChapterRow;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
@@ -123,16 +123,16 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
                         texts.text("lab", chapter.labTitle(language)),
                         () -> openLab.accept(chapter.topic()));
         lab.setToolTipText(texts.text("lab.hint", chapter.labTitle(language), title.getText()));
-        List<Line> lines = new ArrayList<>();
+        List<ChapterRow> lines = new ArrayList<>();
         if (below) {
-            lines.add(new Line(List.of(title), true));
-            lines.add(new Line(List.of(lab), true));
-        } else lines.add(new Line(List.of(title, lab), true));
+            lines.add(new ChapterRow(List.of(title), true));
+            lines.add(new ChapterRow(List.of(lab), true));
+        } else lines.add(new ChapterRow(List.of(title, lab), true));
         chapter.exercises().forEach(one -> lines.addAll(lines(one)));
         list.addChapter(lines);
     }
 
-    private List<Line> lines(Exercise exercise) {
+    private List<ChapterRow> lines(Exercise exercise) {
         JButton title =
                 button(
                         "map.exercise." + exercise.id(),
@@ -147,11 +147,12 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         var form = new JLabel(texts.text("form." + exercise.form().code()));
         var minutes = new JLabel(minutes(exercise));
         if (!below)
-            return List.of(new Line(List.of(title, form, minutes, row.state, row.deadline), false));
+            return List.of(
+                    new ChapterRow(List.of(title, form, minutes, row.state, row.deadline), false));
         var told = new JPanel(FlowRows.inTheMiddle(16));
         List.of(form, minutes, row.state, row.deadline).forEach(told::add);
         FlowRows.keepWrapped(told);
-        return List.of(new Line(List.of(title), false), new Line(List.of(told), false));
+        return List.of(new ChapterRow(List.of(title), false), new ChapterRow(List.of(told), false));
     }
 
     private String minutes(Exercise exercise) {
@@ -168,7 +169,7 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         return button;
     }
 
-    private void show(Standings.Told told) {
+    private void show(Standings.KnownStandings told) {
         source.show(texts.text("source." + told.source(), told.detail()));
         boolean timed = false;
         for (Map.Entry<String, Row> each : rows.entrySet()) {

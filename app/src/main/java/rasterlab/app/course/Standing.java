@@ -9,11 +9,11 @@ import java.util.Optional;
  * @param points the most that were earned; empty as long as nothing is graded
  * @param deadline of handing in; empty where there is none
  */
-record Standing(State state, Optional<Earned> points, Optional<Instant> deadline) {
+record Standing(StandingState state, Optional<Earned> points, Optional<Instant> deadline) {
     static final Standing NOT_TRIED =
-            new Standing(State.NOT_TRIED, Optional.empty(), Optional.empty());
+            new Standing(StandingState.NOT_TRIED, Optional.empty(), Optional.empty());
 
-    enum State {
+    enum StandingState {
         NOT_TRIED,
         /** The work was handed in, without a result as yet. */
         WAITING,
@@ -31,6 +31,6 @@ record Standing(State state, Optional<Earned> points, Optional<Instant> deadline
     }
 
     static Standing graded(Earned earned) {
-        return new Standing(State.GRADED, Optional.of(earned), Optional.empty());
+        return new Standing(StandingState.GRADED, Optional.of(earned), Optional.empty());
     }
 }

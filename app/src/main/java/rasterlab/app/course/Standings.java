@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.work.Background;
 import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.course.Standing.Earned;
-import rasterlab.app.course.Standing.State;
+import rasterlab.app.course.Standing.StandingState;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
@@ -30,7 +30,7 @@ public final class Standings implements AutoCloseable {
      * @param detail the server where the student has joined a course, or why nothing can be read;
      *     "" where there is nothing to say
      */
-    record Told(Map<String, Standing> exercises, Source source, String detail) {
+    record KnownStandings(Map<String, Standing> exercises, Source source, String detail) {
         Standing of(String exercise) {
             return exercises.getOrDefault(exercise, Standing.NOT_TRIED);
         }
@@ -45,18 +45,18 @@ public final class Standings implements AutoCloseable {
         UNREADABLE
     }
 
-    private final CourseServer.Patience patience;
+    private final CourseServer.ServerTimeouts patience;
     private final Background background;
-    private final Listeners<Told> listeners = new Listeners<>();
+    private final Listeners<KnownStandings> listeners = new Listeners<>();
     private Optional<Path> folder = Optional.empty();
-    private Told told = new Told(Map.of(), Source.HERE, "");
+    private KnownStandings told = new KnownStandings(Map.of(), Source.HERE, "");
 
     /**
      * @param events runs what it is given on the one thread that uses this, in order
      * @param onFailure told what reading threw, on any thread
      */
     public Standings(
-            CourseServer.Patience patience, Executor events, Consumer<Throwable> onFailure) {
+            CourseServer.ServerTimeouts patience, Executor events, Consumer<Throwable> onFailure) {
         this.patience = patience;
         background = new Background("course map", events, onFailure);
     }
@@ -66,11 +66,11 @@ public final class Standings implements AutoCloseable {
         this.folder = Optional.of(folder);
     }
 
-    Told told() {
+    KnownStandings told() {
         return told;
     }
 
-    Runnable listen(Consumer<Told> listener) {
+    Runnable listen(Consumer<KnownStandings> listener) {
         return listeners.add(listener);
     }
 
@@ -79,21 +79,27 @@ public final class Standings implements AutoCloseable {
         background.begin(
                 tell -> {
                     Map<String, Standing> here = here();
-                    if (account.isEmpty()) return () -> publish(new Told(here, Source.HERE, ""));
+                    if (account.isEmpty())
+                        return () -> publish(new KnownStandings(here, Source.HERE, ""));
                     String server = account.get().toString();
                     try {
                         Map<String, Standing> there = there(account.get());
-                        return () -> publish(new Told(there, Source.SERVER, server));
+                        return () -> publish(new KnownStandings(there, Source.SERVER, server));
                     } catch (IOException silent) {
-                        return () -> publish(new Told(here, Source.HERE_SERVER_SILENT, server));
+                        return () ->
+                                publish(
+                                        new KnownStandings(
+                                                here, Source.HERE_SERVER_SILENT, server));
                     }
                 },
                 () -> {},
                 failure ->
-                        publish(new Told(Map.of(), Source.UNREADABLE, WholeFile.reason(failure))));
+                        publish(
+                                new KnownStandings(
+                                        Map.of(), Source.UNREADABLE, WholeFile.reason(failure))));
     }
 
-    private void publish(Told next) {
+    private void publish(KnownStandings next) {
         told = next;
         listeners.tell(next);
     }
@@ -114,14 +120,14 @@ public final class Standings implements AutoCloseable {
         return switch (one.path("state").asText()) {
             case "graded" ->
                     new Standing(
-                            State.GRADED,
+                            StandingState.GRADED,
                             Optional.of(
                                     new Earned(
                                             one.path("best").asInt(),
                                             one.path("points").path("total").asInt())),
                             deadline);
-            case "waiting" -> new Standing(State.WAITING, Optional.empty(), deadline);
-            default -> new Standing(State.NOT_TRIED, Optional.empty(), deadline);
+            case "waiting" -> new Standing(StandingState.WAITING, Optional.empty(), deadline);
+            default -> new Standing(StandingState.NOT_TRIED, Optional.empty(), deadline);
         };
     }
 

@@ -9,7 +9,7 @@ import rasterlab.app.canvas.work.Background;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
-import rasterlab.app.server.CourseServer.Patience;
+import rasterlab.app.server.CourseServer.ServerTimeouts;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.TaskKind;
 import rasterlab.exercises.predicting.HandedAnswers;
@@ -19,7 +19,7 @@ import rasterlab.exercises.predicting.SheetText;
  * The text that an exercise is begun with: its own, or a sheet of questions, which is the server's
  * where there is an account.
  */
-public record Beginning(Exercise exercise, Optional<Account> account, Patience patience) {
+public record Beginning(Exercise exercise, Optional<Account> account, ServerTimeouts patience) {
     /** The text that needs no server; of a sheet another one at each call. */
     static String here(Exercise exercise) {
         return exercise.form() == TaskKind.PREDICT

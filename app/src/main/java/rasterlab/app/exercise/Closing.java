@@ -12,7 +12,7 @@ public final class Closing {
     private Closing() {}
 
     /** The decision on them. */
-    public enum Answer {
+    public enum ClosingDecision {
         /** Each is written to a file that the user names. */
         SAVE_ELSEWHERE,
         /** The changes are lost. */
@@ -26,7 +26,7 @@ public final class Closing {
         /**
          * @param unsaved at least one
          */
-        Answer answer(List<UnsavedDraft> unsaved);
+        ClosingDecision answer(List<UnsavedDraft> unsaved);
 
         /** The file that the source is to be written to; empty when none is named. */
         Optional<Path> place(UnsavedDraft draft);

@@ -5,7 +5,7 @@ import static rasterlab.app.exercise.BackgroundWork.Phase.JOINING;
 import java.io.IOException;
 import java.net.URI;
 import java.util.Optional;
-import rasterlab.app.exercise.JoinAnswer.Field;
+import rasterlab.app.exercise.JoinAnswer.JoinField;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
@@ -22,9 +22,9 @@ public final class Enrolment {
     }
 
     private final ExerciseLabModel model;
-    private final CourseServer.Patience patience;
+    private final CourseServer.ServerTimeouts patience;
 
-    Enrolment(ExerciseLabModel model, CourseServer.Patience patience) {
+    Enrolment(ExerciseLabModel model, CourseServer.ServerTimeouts patience) {
         this.model = model;
         this.patience = patience;
     }
@@ -55,7 +55,7 @@ public final class Enrolment {
         try {
             return Optional.of(Account.server(address));
         } catch (IllegalArgumentException e) {
-            accept(JoinAnswer.refused(Field.ADDRESS, Notice.of("server.address", address)));
+            accept(JoinAnswer.refused(JoinField.ADDRESS, Notice.of("server.address", address)));
             return Optional.empty();
         }
     }

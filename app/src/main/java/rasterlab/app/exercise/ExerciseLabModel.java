@@ -39,7 +39,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     public final Formulas formulas = new Formulas();
     public final Standings standings;
     final ExerciseList exercises;
-    private final CourseServer.Patience patience;
+    private final CourseServer.ServerTimeouts patience;
     private final OwnMethods own;
     private final Executor events;
     private final Background background;
@@ -74,12 +74,12 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
             OwnMethods own,
             Executor events,
             Consumer<Throwable> onFailure) {
-        this(catalogue, own, CourseServer.Patience.USUAL, events, onFailure);
+        this(catalogue, own, CourseServer.ServerTimeouts.USUAL, events, onFailure);
     }
 
     ExerciseLabModel(
             Supplier<List<Exercise>> catalogue,
-            CourseServer.Patience patience,
+            CourseServer.ServerTimeouts patience,
             Executor events,
             Consumer<Throwable> onFailure) {
         this(catalogue, new OwnMethods(), patience, events, onFailure);
@@ -88,7 +88,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private ExerciseLabModel(
             Supplier<List<Exercise>> catalogue,
             OwnMethods own,
-            CourseServer.Patience patience,
+            CourseServer.ServerTimeouts patience,
             Executor events,
             Consumer<Throwable> onFailure) {
         this.own = own;

@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import rasterlab.app.exercise.outcome.TriedCase;
 
 /** Tells how a submission gets on as work that runs. */
-record GradingWork(Consumer<BackgroundWork> told) implements Submitting.Follower {
+record GradingWork(Consumer<BackgroundWork> told) implements Submitting.SubmissionListener {
     @Override
     public void waits(int position) {
         told.accept(new BackgroundWork(WAITING, position, 0, List.of()));

@@ -23,7 +23,7 @@ import rasterlab.exercises.Exercise;
  * from the exercise, and then nobody counts.
  */
 public final class HintDesk implements AutoCloseable {
-    private final CourseServer.Patience patience;
+    private final CourseServer.ServerTimeouts patience;
     private final Background background;
     private final Runnable changed;
 
@@ -41,7 +41,7 @@ public final class HintDesk implements AutoCloseable {
      * @param changed told on the thread of events that something is to be shown anew
      */
     HintDesk(
-            CourseServer.Patience patience,
+            CourseServer.ServerTimeouts patience,
             Executor events,
             Consumer<Throwable> onFailure,
             Runnable changed) {

@@ -9,19 +9,19 @@ import rasterlab.app.exercise.outcome.Notice;
  * @param problem why not; {@link Notice#NONE} where it is, or where nothing was asked yet
  * @param field what of the form the problem is about
  */
-public record JoinAnswer(boolean joined, Notice problem, Field field) {
+public record JoinAnswer(boolean joined, Notice problem, JoinField field) {
     /** The data that the form asks for. */
-    public enum Field {
+    public enum JoinField {
         ADDRESS,
         CODE,
         NAME,
         TOKEN
     }
 
-    public static final JoinAnswer NONE = refused(Field.ADDRESS, Notice.NONE);
-    static final JoinAnswer JOINED = new JoinAnswer(true, Notice.NONE, Field.ADDRESS);
+    public static final JoinAnswer NONE = refused(JoinField.ADDRESS, Notice.NONE);
+    static final JoinAnswer JOINED = new JoinAnswer(true, Notice.NONE, JoinField.ADDRESS);
 
-    static JoinAnswer refused(Field field, Notice problem) {
+    static JoinAnswer refused(JoinField field, Notice problem) {
         return new JoinAnswer(false, problem, field);
     }
 }

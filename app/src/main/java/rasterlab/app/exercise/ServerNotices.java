@@ -2,7 +2,7 @@ package rasterlab.app.exercise;
 
 import java.io.IOException;
 import java.net.URI;
-import rasterlab.app.exercise.JoinAnswer.Field;
+import rasterlab.app.exercise.JoinAnswer.JoinField;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.server.Breakdown;
 import rasterlab.app.server.CourseServer;
@@ -40,13 +40,13 @@ final class ServerNotices {
         String address = server.toString();
         if (failure instanceof ServerRefusal refusal) {
             if (refusal.status() == UNAUTHORIZED)
-                return JoinAnswer.refused(Field.TOKEN, Notice.of("join.token", address));
+                return JoinAnswer.refused(JoinField.TOKEN, Notice.of("join.token", address));
             if (refusal.code().equals("unknown-course"))
-                return JoinAnswer.refused(Field.CODE, Notice.of("join.code", address));
+                return JoinAnswer.refused(JoinField.CODE, Notice.of("join.code", address));
             if (refusal.code().equals("bad-name"))
-                return JoinAnswer.refused(Field.NAME, Notice.of("join.name", address));
+                return JoinAnswer.refused(JoinField.NAME, Notice.of("join.name", address));
         }
-        return JoinAnswer.refused(Field.ADDRESS, told("join", server, failure));
+        return JoinAnswer.refused(JoinField.ADDRESS, told("join", server, failure));
     }
 
     /**

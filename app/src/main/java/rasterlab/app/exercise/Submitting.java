@@ -30,7 +30,7 @@ import rasterlab.exercises.score.ScorePoints;
 /** Hands a source in and follows it to its result. */
 final class Submitting {
     /** Hears how a submission gets on, on the thread that follows it. */
-    interface Follower {
+    interface SubmissionListener {
         /**
          * @param position in the queue, 1 being the next, 0 when its turn has come
          */
@@ -71,7 +71,7 @@ final class Submitting {
     }
 
     /** Hands in what an exercise of that form is answered by, on the account. */
-    static Submitting to(Account account, CourseServer.Patience patience, TaskKind form) {
+    static Submitting to(Account account, CourseServer.ServerTimeouts patience, TaskKind form) {
         return new Submitting(new CourseServer(account.server(), patience), account.token(), form);
     }
 
@@ -79,14 +79,14 @@ final class Submitting {
      * Submits and waits for the result. Asked again with the same key, it goes on following the
      * same submission.
      */
-    Outcome result(String exercise, String source, String key, Follower follower)
+    Outcome result(String exercise, String source, String key, SubmissionListener follower)
             throws IOException, InterruptedException {
         String id = server.submit(token, exercise, form.mediaType(), source, key, late);
         new Following(server, token).toItsEnd(id, inCases(follower));
         return outcome(source, id);
     }
 
-    private static Following.Follower inCases(Follower follower) {
+    private static Following.Follower inCases(SubmissionListener follower) {
         List<TriedCase> judged = new ArrayList<>();
         return new Following.Follower() {
             @Override

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.findings.FoundContents.Found;
+import rasterlab.app.findings.FoundContents.TopicFinding;
 import rasterlab.app.hazard.HazardPage;
 import rasterlab.app.hazard.VerdictTable;
 import rasterlab.app.language.Complaints;
@@ -96,14 +96,14 @@ public final class Findings {
         WholeFile.requireFolder(folder.resolve(DATA));
         WholeFile.requireFolder(folder.resolve(HAZARDS));
         WholeFile.requireWritable(index());
-        Map<Topic<?, ?, ?>, Found> found = new LinkedHashMap<>();
+        Map<Topic<?, ?, ?>, TopicFinding> found = new LinkedHashMap<>();
         for (Topic<?, ?, ?> topic : topics) {
             progress.accept(texts.text("measuring", topic.name()));
             found.put(topic, found(topic));
         }
         new FoundContents(folder, shared(), texts, called)
                 .write(found, language.command("study --all" + paced() + " --out findings"));
-        return found.values().stream().allMatch(Found::whole);
+        return found.values().stream().allMatch(TopicFinding::whole);
     }
 
     /** The page of contents. */
@@ -121,28 +121,28 @@ public final class Findings {
         return pace + " --seed " + settings.seed();
     }
 
-    private Found found(Topic<?, ?, ?> topic) {
-        if (stopped.getAsBoolean()) return Found.none(texts.text("notMeasured"));
+    private TopicFinding found(Topic<?, ?, ?> topic) {
+        if (stopped.getAsBoolean()) return TopicFinding.none(texts.text("notMeasured"));
         try {
             Study study = StudyRunner.measure(topic, settings, step -> {}, stopped);
-            if (study.measurements().isEmpty()) return Found.none(texts.text("notMeasured"));
+            if (study.measurements().isEmpty()) return TopicFinding.none(texts.text("notMeasured"));
             HazardMatrix hazards = judged(topic);
             var words = new FoundWords(topic, study, hazards, language);
             writeData(study);
             writeTopic(topic, study, hazards, words);
             String first = words.sentences().get(0);
             return study.isWhole()
-                    ? new Found(true, true, first)
-                    : new Found(false, true, first + " " + texts.text("cut"));
+                    ? new TopicFinding(true, true, first)
+                    : new TopicFinding(false, true, first + " " + texts.text("cut"));
         } catch (RuntimeException | LinkageError e) {
             String reason = e.getMessage() == null ? e.toString() : e.getMessage();
-            return Found.none(texts.text("failed", Complaints.said(language, reason)));
+            return TopicFinding.none(texts.text("failed", Complaints.said(language, reason)));
         }
     }
 
     /** Tries the hazards, and writes the page with each verdict's picture and command. */
     private HazardMatrix judged(Topic<?, ?, ?> topic) {
-        HazardPage.Written page = HazardPage.of(topic, HazardTrial.WALL_LIMIT, language);
+        HazardPage.HazardDocument page = HazardPage.of(topic, HazardTrial.WALL_LIMIT, language);
         WholeFile.write(
                 folder.resolve(hazardPage(topic)), page.html().getBytes(StandardCharsets.UTF_8));
         return page.matrix();

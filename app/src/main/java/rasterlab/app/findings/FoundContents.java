@@ -18,9 +18,9 @@ import rasterlab.engine.study.Topic;
  */
 record FoundContents(Path folder, String settings, Texts texts, TopicNames called) {
     /** The finding about a topic. */
-    record Found(boolean whole, boolean written, String sentence) {
-        static Found none(String reason) {
-            return new Found(false, false, reason);
+    record TopicFinding(boolean whole, boolean written, String sentence) {
+        static TopicFinding none(String reason) {
+            return new TopicFinding(false, false, reason);
         }
     }
 
@@ -37,7 +37,7 @@ record FoundContents(Path folder, String settings, Texts texts, TopicNames calle
     /**
      * @param again the command that repeats it all
      */
-    void write(Map<Topic<?, ?, ?>, Found> found, String again) {
+    void write(Map<Topic<?, ?, ?>, TopicFinding> found, String again) {
         var page = new FoundPage(texts.text("title"), texts);
         page.paragraph(texts.text("introduction"));
         page.link("course.html", texts.text("course"), texts.text("course.behind"));
@@ -48,7 +48,7 @@ record FoundContents(Path folder, String settings, Texts texts, TopicNames calle
         writeCourse(found);
     }
 
-    private void addEntry(FoundPage page, Topic<?, ?, ?> topic, Found one) {
+    private void addEntry(FoundPage page, Topic<?, ?, ?> topic, TopicFinding one) {
         String name = FoundWords.capital(called.topic(topic.name()));
         String file = topic.name() + ".html";
         Optional<String> earlier = begun(topic);
@@ -61,7 +61,7 @@ record FoundContents(Path folder, String settings, Texts texts, TopicNames calle
         else page.entry("", name, one.sentence());
     }
 
-    private void writeCourse(Map<Topic<?, ?, ?>, Found> found) {
+    private void writeCourse(Map<Topic<?, ?, ?>, TopicFinding> found) {
         var page = new FoundPage(texts.text("course"), texts);
         page.link("index.html", texts.text("contents"), "");
         page.paragraph(texts.text("course.meaning"));

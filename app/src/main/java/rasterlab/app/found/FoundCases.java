@@ -16,7 +16,7 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.scene.MethodCase;
 
 /** The user's finds as chips of the lab that shows their topic. */
-public final class FoundCases implements OwnChips.Offer {
+public final class FoundCases implements OwnChips.CaseFinder {
     private final FoundHazards kept;
     private final OpenInLab opening;
     private final Texts texts;
@@ -41,7 +41,7 @@ public final class FoundCases implements OwnChips.Offer {
         return kept.of(topic).stream().map(each -> found(each, methods)).toList();
     }
 
-    private OwnCase found(FoundHazards.Kept find, List<String> methods) {
+    private OwnCase found(FoundHazards.KeptFind find, List<String> methods) {
         MethodCase scene = find.scene();
         String method = scene.method().orElse("");
         Optional<Verdict.Kind> verdict = scene.found().flatMap(FoundCases::verdict);

@@ -28,7 +28,7 @@ public final class FoundHazards {
      *
      * @param name of its file without the ending
      */
-    public record Kept(String name, MethodCase scene, Path file) {}
+    public record KeptFind(String name, MethodCase scene, Path file) {}
 
     private FoundHazards(Path folder) {
         this.folder = folder;
@@ -56,8 +56,8 @@ public final class FoundHazards {
      */
     public Path keep(MethodCase scene) {
         String method = scene.method().orElse("own");
-        List<Kept> others = of(scene.topic());
-        for (Kept each : others)
+        List<KeptFind> others = of(scene.topic());
+        for (KeptFind each : others)
             if (each.scene().method().equals(scene.method())
                     && each.scene().input().equals(scene.input())) return each.file();
         WholeFile.requireFolder(folder);
@@ -73,7 +73,7 @@ public final class FoundHazards {
     }
 
     /** The finds of a topic, by name; what is no such file is left where it is. */
-    public List<Kept> of(String topic) {
+    public List<KeptFind> of(String topic) {
         if (!Files.isDirectory(folder)) return List.of();
         try (Stream<Path> files = Files.list(folder)) {
             return files.sorted()
@@ -90,12 +90,12 @@ public final class FoundHazards {
         return file.getFileName().toString();
     }
 
-    private static Optional<Kept> read(Path file) {
+    private static Optional<KeptFind> read(Path file) {
         if (!name(file).endsWith(SceneText.EXTENSION)) return Optional.empty();
         try {
             String stem =
                     name(file).substring(0, name(file).length() - SceneText.EXTENSION.length());
-            return Optional.of(new Kept(stem, SceneText.methodCase(file), file));
+            return Optional.of(new KeptFind(stem, SceneText.methodCase(file), file));
         } catch (Complaint noCase) {
             // ./lab run --scene FILE says what is wrong with it
             return Optional.empty();
@@ -107,7 +107,7 @@ public final class FoundHazards {
      *
      * @throws UncheckedIOException if its file cannot be removed
      */
-    public void remove(Kept find) {
+    public void remove(KeptFind find) {
         try {
             Files.deleteIfExists(find.file());
         } catch (IOException e) {

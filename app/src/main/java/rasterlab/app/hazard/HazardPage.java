@@ -49,23 +49,23 @@ public final class HazardPage<C, I, O> {
      *
      * @param matrix the verdicts that it tells
      */
-    public record Written(String html, HazardMatrix matrix) {}
+    public record HazardDocument(String html, HazardMatrix matrix) {}
 
     /**
      * Tries every method on every hazard of the topic and writes what came of it.
      *
      * @param longest wall time that a method may take for one hazard
      */
-    public static Written of(Topic<?, ?, ?> topic, Duration longest, Language language) {
+    public static HazardDocument of(Topic<?, ?, ?> topic, Duration longest, Language language) {
         return written(topic, longest, language);
     }
 
-    private static <C, I, O> Written written(
+    private static <C, I, O> HazardDocument written(
             Topic<C, I, O> topic, Duration longest, Language language) {
         var page = new HazardPage<>(topic, language);
         topic.hazards().forEach(hazard -> page.add(hazard, longest));
         HazardMatrix matrix = HazardMatrix.of(topic, page.verdicts);
-        return new Written(page.html(matrix), matrix);
+        return new HazardDocument(page.html(matrix), matrix);
     }
 
     private String html(HazardMatrix matrix) {

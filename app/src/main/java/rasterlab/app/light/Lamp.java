@@ -25,7 +25,7 @@ import rasterlab.engine.light.Light;
  * @param exponent of the spot's cone
  */
 public record Lamp(
-        Kind kind,
+        LampKind kind,
         boolean on,
         double x,
         double y,
@@ -45,7 +45,7 @@ public record Lamp(
     static final double UNIT = 100;
 
     /** The kind of a light. */
-    public enum Kind {
+    public enum LampKind {
         /** Shines from its place all around. */
         POINT,
         /** A sun, infinitely far in its direction. */
@@ -60,10 +60,10 @@ public record Lamp(
 
     /** White, all around, without attenuation. */
     static Lamp at(double x, double y, double z) {
-        return new Lamp(Kind.POINT, true, x, y, z, 0xFFFFFF, 1, 1, 0, 0, 25, 8);
+        return new Lamp(LampKind.POINT, true, x, y, z, 0xFFFFFF, 1, 1, 0, 0, 25, 8);
     }
 
-    public Lamp withKind(Kind other) {
+    public Lamp withKind(LampKind other) {
         return new Lamp(
                 other, on, x, y, z, rgb, strength, constant, linear, quadratic, cutoff, exponent);
     }
@@ -114,21 +114,21 @@ public record Lamp(
             strength * (rgb & 255) / 255
         };
         Attenuation attenuation =
-                kind == Kind.SUN
+                kind == LampKind.SUN
                         ? Attenuation.none()
                         : new Attenuation(constant, linear / UNIT, quadratic / (UNIT * UNIT));
         return new LightSource(new double[3], light, light, attenuation, cone());
     }
 
     private SpotCone cone() {
-        boolean aims = kind == Kind.SPOT && (x != 0 || y != 0 || z != 0);
+        boolean aims = kind == LampKind.SPOT && (x != 0 || y != 0 || z != 0);
         return aims ? new SpotCone(new double[] {-x, -y, -z}, cutoff, exponent) : SpotCone.none();
     }
 
     /** The light from the lamp's place; a sun in the middle shines from above. */
     Light light() {
         boolean middle = x == 0 && y == 0 && z == 0;
-        if (kind == Kind.SUN) return Light.from(source(), x, y, middle ? 1 : z);
+        if (kind == LampKind.SUN) return Light.from(source(), x, y, middle ? 1 : z);
         return Light.at(source(), x, y, z);
     }
 }

@@ -43,10 +43,10 @@ final class LampsOfFile {
         LightSource source = light.source();
         Lamp white = Lamp.at(light.x(), light.y(), light.z());
         SpotCone cone = source.cone();
-        if (light.directional()) white = white.withKind(Lamp.Kind.SUN);
+        if (light.directional()) white = white.withKind(Lamp.LampKind.SUN);
         else if (!cone.shinesAllAround())
             white =
-                    white.withKind(Lamp.Kind.SPOT)
+                    white.withKind(Lamp.LampKind.SPOT)
                             .withCutoff(cone.cutoff())
                             .withExponent(cone.exponent());
         Attenuation a = source.attenuation();

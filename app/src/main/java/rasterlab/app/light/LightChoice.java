@@ -47,7 +47,7 @@ public record LightChoice(
         boolean twoSided,
         boolean arrows,
         boolean mach,
-        Marks line,
+        LightMarks line,
         String shaded,
         PlanWish least) {
     static final int MOST_LAMPS = 6;
@@ -62,7 +62,7 @@ public record LightChoice(
      * @param toX of its other end
      * @param atX of the point
      */
-    public record Marks(
+    public record LightMarks(
             double fromX, double fromY, double toX, double toY, double atX, double atY) {}
 
     public LightChoice {
@@ -92,7 +92,7 @@ public record LightChoice(
                 true,
                 false,
                 true,
-                new Marks(0.1, 0.5, 0.9, 0.5, 0.4, 0.37),
+                new LightMarks(0.1, 0.5, 0.9, 0.5, 0.4, 0.37),
                 "",
                 PlanWish.FIRST.withMagnified(true));
     }
@@ -185,7 +185,7 @@ public record LightChoice(
         return draft.choice();
     }
 
-    public LightChoice with(Marks other) {
+    public LightChoice with(LightMarks other) {
         var draft = new Draft(this);
         draft.line = other;
         return draft.choice();
@@ -276,7 +276,7 @@ public record LightChoice(
         private boolean twoSided;
         private boolean arrows;
         private boolean mach;
-        private Marks line;
+        private LightMarks line;
         private String shaded;
         private PlanWish least;
 

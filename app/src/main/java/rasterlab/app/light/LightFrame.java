@@ -52,9 +52,10 @@ public record LightFrame(LightChoice choice, int width, int height) {
      * @param brightness along the line; no numbers where there is no light in it
      * @param reported what the eye makes of it
      */
-    public record Picture(String name, Raster raster, double[] brightness, double[] reported) {
-        private Picture with(Raster other) {
-            return new Picture(name, other, brightness, reported);
+    public record ShadedPicture(
+            String name, Raster raster, double[] brightness, double[] reported) {
+        private ShadedPicture with(Raster other) {
+            return new ShadedPicture(name, other, brightness, reported);
         }
     }
 
@@ -70,25 +71,25 @@ public record LightFrame(LightChoice choice, int width, int height) {
      * @param own what there is to say of the user's own program; empty where it does nothing
      * @param least the least light beside the full one; empty where it is not wished
      */
-    public record Drawn(
+    public record DrawnFrame(
             LightChoice choice,
             int width,
             int height,
-            List<Picture> pictures,
+            List<ShadedPicture> pictures,
             PicturePlaces places,
             double[] faceArrows,
             double[] cornerArrows,
             double[] rightArrows,
             Optional<PointReading> point,
             Optional<OwnRemarks> own,
-            Optional<LitPlans.Pair> least) {
+            Optional<LitPlans.ComparedPictures> least) {
         /** The answers of the user's own program; empty where there are none. */
         public Optional<OwnSteps> steps() {
             return own.flatMap(OwnRemarks::steps);
         }
 
         /** This drawing with the program's answers up to a step alone. */
-        public Drawn upTo(int step) {
+        public DrawnFrame upTo(int step) {
             if (steps().isEmpty() || step >= steps().get().count()) return this;
             if (steps().get() instanceof LightSteps light) {
                 List<Raster> shown = OwnLight.upTo(step, light);
@@ -112,8 +113,8 @@ public record LightFrame(LightChoice choice, int width, int height) {
                     .toArray();
         }
 
-        private Drawn with(List<Picture> others, double[] corners, double[] rights) {
-            return new Drawn(
+        private DrawnFrame with(List<ShadedPicture> others, double[] corners, double[] rights) {
+            return new DrawnFrame(
                     choice,
                     width,
                     height,
@@ -134,7 +135,7 @@ public record LightFrame(LightChoice choice, int width, int height) {
      * @param mine the user's own programs
      * @param plans draws the least light
      */
-    Drawn drawn(
+    DrawnFrame drawn(
             Scene body,
             Optional<OwnNormals> normals,
             OwnMethods mine,
@@ -143,7 +144,7 @@ public record LightFrame(LightChoice choice, int width, int height) {
             BooleanSupplier cancelled) {
         var places = PicturePlaces.of(choice, body, width, height);
         if (choice.shaded().isEmpty()) {
-            Optional<LitPlans.Pair> least =
+            Optional<LitPlans.ComparedPictures> least =
                     choice.least()
                             .tolerance()
                             .map(within -> plans.drawn(this, body, within, maker, cancelled));
@@ -160,22 +161,23 @@ public record LightFrame(LightChoice choice, int width, int height) {
                 List.of(
                         profiled(MINE, light.mine()),
                         profiled(RIGHT, light.right()),
-                        new Picture(OFF, light.off(), new double[0], new double[0])),
+                        new ShadedPicture(OFF, light.off(), new double[0], new double[0])),
                 places,
                 Optional.empty(),
                 Optional.of(light.remarks()),
                 Optional.empty());
     }
 
-    private List<Picture> pictures(LitPlans.Pair least) {
+    private List<ShadedPicture> pictures(LitPlans.ComparedPictures least) {
         return List.of(
                 profiled(FULL, least.full()),
                 profiled(LEAST, least.picture().raster()),
-                new Picture(OFF, least.difference().raster(), new double[0], new double[0]));
+                new ShadedPicture(OFF, least.difference().raster(), new double[0], new double[0]));
     }
 
-    private List<Picture> shadings(Scene body, PictureMaker maker, BooleanSupplier cancelled) {
-        var pictures = new ArrayList<Picture>();
+    private List<ShadedPicture> shadings(
+            Scene body, PictureMaker maker, BooleanSupplier cancelled) {
+        var pictures = new ArrayList<ShadedPicture>();
         for (ShadingMethod shading : SHADINGS) {
             RenderRequest request = LitScene.request(choice, body, shading, width, height);
             pictures.add(profiled(shading.code(), maker.picture(request, cancelled)));
@@ -186,15 +188,15 @@ public record LightFrame(LightChoice choice, int width, int height) {
     /**
      * @param right the body with right normals, where its own may be wrong
      */
-    private Drawn drawn(
-            List<Picture> pictures,
+    private DrawnFrame drawn(
+            List<ShadedPicture> pictures,
             PicturePlaces places,
             Optional<Scene> right,
             Optional<OwnRemarks> own,
-            Optional<LitPlans.Pair> least) {
+            Optional<LitPlans.ComparedPictures> least) {
         ViewedMesh view = places.view();
         boolean arrows = choice.arrows();
-        return new Drawn(
+        return new DrawnFrame(
                 choice,
                 width,
                 height,
@@ -211,8 +213,8 @@ public record LightFrame(LightChoice choice, int width, int height) {
                 least);
     }
 
-    private Picture profiled(String name, Raster raster) {
-        LightChoice.Marks line = choice.line();
+    private ShadedPicture profiled(String name, Raster raster) {
+        LightChoice.LightMarks line = choice.line();
         MarkPlaces marks = marks();
         double[] brightness =
                 SeenBrightness.along(
@@ -222,7 +224,8 @@ public record LightFrame(LightChoice choice, int width, int height) {
                         Math.min(width - 1, marks.x(line.toX())),
                         Math.min(height - 1, marks.y(line.toY())),
                         SAMPLES);
-        return new Picture(name, raster, brightness, SeenBrightness.reported(brightness, REACH));
+        return new ShadedPicture(
+                name, raster, brightness, SeenBrightness.reported(brightness, REACH));
     }
 
     private MarkPlaces marks() {

@@ -51,7 +51,7 @@ public enum LightHazard {
                                     0,
                                     first.lamps()
                                             .get(0)
-                                            .withKind(Lamp.Kind.SPOT)
+                                            .withKind(Lamp.LampKind.SPOT)
                                             .withCutoff(12)
                                             .withStrength(1.5)));
 

@@ -29,23 +29,23 @@ import rasterlab.engine.transform.SphericalView;
  * <p>Pictures are made on a thread of the model's own; answers and commands all run on the thread
  * of the executor it is given. Each change publishes a new immutable {@link LightLabState}.
  */
-public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoCloseable {
+public final class LightLabModel implements Kept<LightLabModel.UndoableChoice>, AutoCloseable {
     private static final double NEAREST = 250;
     private static final double FARTHEST = 4000;
     private static final double STEEPEST = Math.PI - 0.05;
 
     /** The part of the state that undo brings back. */
-    record Chosen(
+    record UndoableChoice(
             LightChoice light,
             @JsonProperty("colours") boolean colors,
             @JsonProperty("colour") ColorChoice color) {}
 
-    private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
+    private final LatestOnly<LightFrame, LightFrame.DrawnFrame> pictures;
     private final LatestReading reader;
     private final PictureMaker maker;
-    private final History<Chosen> history = new History<>(this::chosen, this::show);
+    private final History<UndoableChoice> history = new History<>(this::chosen, this::show);
     private final Listeners<LightLabState> listeners = new Listeners<>();
-    private final KeptFile<LitFile, LitBody, LitSceneOpening.Answer> keptFile;
+    private final KeptFile<LitFile, LitBody, LitSceneOpening.LitSceneAnswer> keptFile;
     private final RowLabModel rows;
     private final OwnMethods own;
     private final OwnTrips ownTrips;
@@ -125,13 +125,13 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** Lights a scene of the user's. */
     void open(LightChoice light) {
         history.remember();
-        show(new Chosen(light, false, state.color()));
+        show(new UndoableChoice(light, false, state.color()));
     }
 
     /** Lights a body that an earlier run has shown; there is nothing to undo afterwards. */
     void restore(LitBody body) {
         history.forget();
-        show(new Chosen(state.choice().with(body), state.colors(), state.color()));
+        show(new UndoableChoice(state.choice().with(body), state.colors(), state.color()));
     }
 
     /** Whether the user has brought a program that may light the scene. */
@@ -198,7 +198,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
             return;
         }
         history.remember();
-        show(new Chosen(next, state.colors(), state.color()));
+        show(new UndoableChoice(next, state.colors(), state.color()));
     }
 
     /** Changes the colour and remembers how it was. */
@@ -206,7 +206,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         ColorChoice next = change.apply(state.color());
         if (next.equals(state.color())) return;
         history.remember();
-        show(new Chosen(state.choice(), state.colors(), next));
+        show(new UndoableChoice(state.choice(), state.colors(), next));
     }
 
     /** How a colour comes back by the user's program; empty until that is found. */
@@ -225,7 +225,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     public void showColors(boolean shown) {
         if (shown == state.colors()) return;
         history.remember();
-        show(new Chosen(state.choice(), shown, state.color()));
+        show(new UndoableChoice(state.choice(), shown, state.color()));
     }
 
     /** Says beside the present picture in what it is other than a hazard. */
@@ -258,7 +258,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
                     TopicBodies.shown(
                             TopicBodies.body(topic, hazard, input), input, mine ? "" : method);
         if (mine && !colors) light = light.byOwn(topic);
-        var next = new Chosen(light, colors, color);
+        var next = new UndoableChoice(light, colors, color);
         if (next.equals(chosen())) return;
         history.remember();
         show(next);
@@ -303,13 +303,13 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** The choices that can be undone and redone. */
-    public History<Chosen> history() {
+    public History<UndoableChoice> history() {
         return history;
     }
 
     /** Returns to the first light and colour; can be undone. */
     public void reset() {
-        var first = new Chosen(LightChoice.first(), state.colors(), ColorChoice.first());
+        var first = new UndoableChoice(LightChoice.first(), state.colors(), ColorChoice.first());
         if (first.equals(chosen())) {
             forgetProblem();
             return;
@@ -319,22 +319,22 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     @Override
-    public Class<Chosen> keptType() {
-        return Chosen.class;
+    public Class<UndoableChoice> keptType() {
+        return UndoableChoice.class;
     }
 
     @Override
-    public Chosen kept() {
+    public UndoableChoice kept() {
         LitBody body = state.choice().body();
         LightChoice light =
                 body.opened().isEmpty()
                         ? state.choice()
                         : state.choice().with(LightChoice.first().body());
-        return new Chosen(light, state.colors(), state.color());
+        return new UndoableChoice(light, state.colors(), state.color());
     }
 
     @Override
-    public void restore(Chosen choice) {
+    public void restore(UndoableChoice choice) {
         show(choice);
     }
 
@@ -362,11 +362,11 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         plans.close();
     }
 
-    private Chosen chosen() {
-        return new Chosen(state.choice(), state.colors(), state.color());
+    private UndoableChoice chosen() {
+        return new UndoableChoice(state.choice(), state.colors(), state.color());
     }
 
-    private void show(Chosen next) {
+    private void show(UndoableChoice next) {
         boolean other = !next.light().equals(state.choice());
         state =
                 new LightLabState(
@@ -380,12 +380,13 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         if (other && width > 0) pictures.ask(new LightFrame(next.light(), width, height));
     }
 
-    private void accept(LightFrame.Drawn drawn) {
+    private void accept(LightFrame.DrawnFrame drawn) {
         publish(state.choice(), Optional.of(drawn), state.problem());
         plans.accept(drawn);
     }
 
-    private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn, String problem) {
+    private void publish(
+            LightChoice choice, Optional<LightFrame.DrawnFrame> drawn, String problem) {
         state =
                 new LightLabState(
                         choice, state.colors(), drawn, state.color(), problem, state.note());

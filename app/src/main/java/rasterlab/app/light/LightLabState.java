@@ -16,7 +16,7 @@ import rasterlab.app.canvas.method.HazardNote;
 public record LightLabState(
         LightChoice choice,
         boolean colors,
-        Optional<LightFrame.Drawn> drawn,
+        Optional<LightFrame.DrawnFrame> drawn,
         ColorChoice color,
         String problem,
         Optional<HazardNote> note) {}

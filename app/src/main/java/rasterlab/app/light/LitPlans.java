@@ -45,7 +45,8 @@ public final class LitPlans implements AutoCloseable {
      * @param picture the least one
      * @param difference of both, magnified where that is wished
      */
-    public record Pair(Raster full, PlannedPicture picture, MagnifiedDifference difference) {}
+    public record ComparedPictures(
+            Raster full, PlannedPicture picture, MagnifiedDifference difference) {}
 
     LitPlans(Executor events, Consumer<Throwable> onFailure) {
         bills = PlanBill.bills(events, onFailure);
@@ -64,7 +65,7 @@ public final class LitPlans implements AutoCloseable {
     /**
      * @param body the choice's scene
      */
-    Pair drawn(
+    ComparedPictures drawn(
             LightFrame frame,
             Scene body,
             Tolerance within,
@@ -75,7 +76,7 @@ public final class LitPlans implements AutoCloseable {
         Raster full = maker.picture(picture.plan().full().from(asked.camera()), cancelled);
         boolean magnified = frame.choice().least().magnified();
         var difference = MagnifiedDifference.of(full, picture.raster(), magnified);
-        return new Pair(full, picture, difference);
+        return new ComparedPictures(full, picture, difference);
     }
 
     /** The request of a frame; of the same light seen from elsewhere with the same scene. */
@@ -92,14 +93,14 @@ public final class LitPlans implements AutoCloseable {
     }
 
     /** Tells on the thread that draws which picture is shown. */
-    void shown(LightFrame.Drawn drawn) {
+    void shown(LightFrame.DrawnFrame drawn) {
         drawn.least().ifPresent(pair -> drawing.shown(pair.picture()));
     }
 
     /** Measures the newest picture, unless it is one of a drag. */
-    void accept(LightFrame.Drawn drawn) {
+    void accept(LightFrame.DrawnFrame drawn) {
         bills.cancel();
-        newest = drawn.least().map(Pair::picture);
+        newest = drawn.least().map(ComparedPictures::picture);
         if (!dragging) newest.ifPresent(bills::ask);
     }
 

@@ -9,11 +9,12 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.scene.obj.UpAxis;
 
 /** Shows the user's scenes in the lab; of an earlier run's only the body. */
-final class LitSceneOpening implements KeptFile.Lab<LitFile, LitBody, LitSceneOpening.Answer> {
+final class LitSceneOpening
+        implements KeptFile.FileLab<LitFile, LitBody, LitSceneOpening.LitSceneAnswer> {
     /**
      * @param opened empty where there is a problem
      */
-    record Answer(Path file, Optional<OpenedLitScene> opened, String problem) {}
+    record LitSceneAnswer(Path file, Optional<OpenedLitScene> opened, String problem) {}
 
     private final LightLabModel model;
 
@@ -44,18 +45,18 @@ final class LitSceneOpening implements KeptFile.Lab<LitFile, LitBody, LitSceneOp
     /**
      * @param before what is shown, of which stays what the file does not say
      */
-    static Supplier<Answer> reading(Path file, LightChoice before) {
+    static Supplier<LitSceneAnswer> reading(Path file, LightChoice before) {
         return () -> read(file, scene -> OpenedLitScene.read(scene, before));
     }
 
     /** Reads the body that is lit again, with another axis up; its normals stay. */
-    static Supplier<Answer> standing(LightChoice before, UpAxis up) {
+    static Supplier<LitSceneAnswer> standing(LightChoice before, UpAxis up) {
         Path file = before.body().opened().orElseThrow().file();
         return () -> read(file, model -> OpenedLitScene.standing(model, up, before));
     }
 
     @Override
-    public Optional<Supplier<Answer>> reading(LitFile kept, LitBody before) {
+    public Optional<Supplier<LitSceneAnswer>> reading(LitFile kept, LitBody before) {
         LightChoice now = model.state().choice();
         return kept.file()
                 .map(
@@ -68,16 +69,16 @@ final class LitSceneOpening implements KeptFile.Lab<LitFile, LitBody, LitSceneOp
                                                                 scene, kept.up(), now)));
     }
 
-    private static Answer read(Path file, Function<Path, OpenedLitScene> reader) {
+    private static LitSceneAnswer read(Path file, Function<Path, OpenedLitScene> reader) {
         try {
-            return new Answer(file, Optional.of(reader.apply(file)), "");
+            return new LitSceneAnswer(file, Optional.of(reader.apply(file)), "");
         } catch (Complaint complaint) {
-            return new Answer(file, Optional.empty(), complaint.getMessage());
+            return new LitSceneAnswer(file, Optional.empty(), complaint.getMessage());
         }
     }
 
     @Override
-    public boolean open(Answer read) {
+    public boolean open(LitSceneAnswer read) {
         if (read.opened().isEmpty()) {
             tell(read.problem());
             return false;
@@ -91,7 +92,7 @@ final class LitSceneOpening implements KeptFile.Lab<LitFile, LitBody, LitSceneOp
     }
 
     @Override
-    public String restore(LitFile kept, Answer read) {
+    public String restore(LitFile kept, LitSceneAnswer read) {
         if (read.opened().isEmpty())
             return read.problem() + "; the scene " + shown().name() + " is shown instead";
         model.restore(read.opened().get().choice().body().withNormals(kept.normals()));

@@ -27,7 +27,7 @@ final class MadeBody {
         this.plans = plans;
     }
 
-    LightFrame.Drawn drawn(LightFrame frame, PictureMaker maker, BooleanSupplier cancelled) {
+    LightFrame.DrawnFrame drawn(LightFrame frame, PictureMaker maker, BooleanSupplier cancelled) {
         LitBody body = frame.choice().body();
         Optional<OwnProgram> by = own.of(OwnNormals.TOPIC).filter(program -> body.asksProgram());
         if (last.filter(made -> made.body().equals(body) && made.by().equals(by)).isEmpty())

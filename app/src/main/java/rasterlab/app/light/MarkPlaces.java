@@ -3,8 +3,8 @@ package rasterlab.app.light;
 import rasterlab.engine.transform.PictureFit;
 
 /**
- * Where {@link LightChoice.Marks} lie in a picture: they stay on their place of the scene when the
- * picture changes its size.
+ * Where {@link LightChoice.LightMarks} lie in a picture: they stay on their place of the scene when
+ * the picture changes its size.
  *
  * <p>A mark's 0 to 1 is the frame of {@value PictureFit#NATURAL_WIDTH} × {@value
  * PictureFit#NATURAL_HEIGHT} that {@link PictureFit#of} puts as large as it fits into the middle of

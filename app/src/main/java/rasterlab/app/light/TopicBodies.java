@@ -48,8 +48,8 @@ public final class TopicBodies {
 
     private static final double UNIT = 1e-9;
     private static final int BACKGROUND = 0xFFFFFF;
-    private static final LightChoice.Marks MIDDLE =
-            new LightChoice.Marks(0.1, 0.5, 0.9, 0.5, 0.5, 0.5);
+    private static final LightChoice.LightMarks MIDDLE =
+            new LightChoice.LightMarks(0.1, 0.5, 0.9, 0.5, 0.5, 0.5);
     private static final List<Topic<?, ?, ?>> TOPICS =
             List.of(new NormalsTopic(), new FaceTopic(), new ShadeTopic());
 
@@ -67,9 +67,12 @@ public final class TopicBodies {
         if (input instanceof LitPoints points) {
             LitPoint point = points.points().get(0);
             if (point.distance() == 0)
-                differences.add(ShownDifference.of(ShownDifference.Kind.LAMP_BESIDE, BESIDE));
+                differences.add(
+                        ShownDifference.of(
+                                ShownDifference.ShownDifferenceKind.LAMP_BESIDE, BESIDE));
             if (SpotPlace.of(point).isPresent())
-                differences.add(ShownDifference.of(ShownDifference.Kind.POINT_ASIDE));
+                differences.add(
+                        ShownDifference.of(ShownDifference.ShownDifferenceKind.POINT_ASIDE));
         }
         return differences;
     }
@@ -186,14 +189,14 @@ public final class TopicBodies {
     private static LightChoice aside(LightChoice shown, SpotPlace spot, LightSource light) {
         Lamp lamp =
                 lamp(new double[] {spot.lampX(), 0, spot.lampZ()})
-                        .withKind(Lamp.Kind.SPOT)
+                        .withKind(Lamp.LampKind.SPOT)
                         .withCutoff(light.cone().cutoff())
                         .withExponent(light.cone().exponent());
         double scale = scene(shown.body().name()).pictureScale();
         double atX = 0.5 + spot.x() * scale * shown.zoom() / PictureFit.NATURAL_WIDTH;
         return shown.withLamp(0, lamp)
                 .with(new SphericalView(-Math.PI / 2, 0, shown.camera().rho()))
-                .with(new LightChoice.Marks(0.1, 0.5, 0.9, 0.5, atX, 0.5));
+                .with(new LightChoice.LightMarks(0.1, 0.5, 0.9, 0.5, atX, 0.5));
     }
 
     /** One lamp and a material like that, all of whose shares are grey. */
@@ -228,7 +231,7 @@ public final class TopicBodies {
         String shown = method.equals(OwnMethods.NAME) ? "" : method;
         if (!(input instanceof Colors colors)) return differences(input, shown);
         return ColorChoice.first().with(colors, "formula").outside()
-                ? List.of(ShownDifference.of(ShownDifference.Kind.COLOR_CUT))
+                ? List.of(ShownDifference.of(ShownDifference.ShownDifferenceKind.COLOR_CUT))
                 : List.of();
     }
 }

@@ -54,7 +54,7 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> differences) {
         } catch (IllegalArgumentException noArea) {
             return new TopicMesh(
                     triangle(bent(corners, face.normals()), face.normals()),
-                    List.of(ShownDifference.of(ShownDifference.Kind.CORNER_MOVED)));
+                    List.of(ShownDifference.of(ShownDifference.ShownDifferenceKind.CORNER_MOVED)));
         }
     }
 
@@ -83,7 +83,10 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> differences) {
                         ? List.of()
                         : List.of(
                                 ShownDifference.of(
-                                        ShownDifference.Kind.NORMAL_LENGTH, n[0], n[1], n[2])));
+                                        ShownDifference.ShownDifferenceKind.NORMAL_LENGTH,
+                                        n[0],
+                                        n[1],
+                                        n[2])));
     }
 
     /**
@@ -126,7 +129,8 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> differences) {
         double[] xyz = moved(bare.vertices(), middle(bare.vertices()));
         int exponent = Math.getExponent(REACH / largest(xyz));
         if (!(largest(bare.vertices()) >= SphericalView.NEAREST))
-            differences.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
+            differences.add(
+                    ShownDifference.of(ShownDifference.ShownDifferenceKind.SCALED, exponent));
         double[] larger = Arrays.stream(xyz).map(x -> Math.scalb(x, exponent)).toArray();
         var faces = new ArrayList<int[]>();
         int[] corners = bare.triangles();
@@ -135,7 +139,8 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> differences) {
             if (hasArea(larger, face)) faces.add(face);
         }
         if (faces.size() < corners.length / 3)
-            differences.add(ShownDifference.of(ShownDifference.Kind.FACES_WITHOUT_AREA));
+            differences.add(
+                    ShownDifference.of(ShownDifference.ShownDifferenceKind.FACES_WITHOUT_AREA));
         var mesh = new Mesh(larger, faces.toArray(int[][]::new));
         if (!method.isEmpty()) mesh = withNormals(mesh, bare, method, differences);
         return new TopicMesh(mesh, List.copyOf(differences));
@@ -157,23 +162,23 @@ public record TopicMesh(Mesh mesh, List<ShownDifference> differences) {
                 topic.record(topic.method(method).implementation(), bare, Integer.MAX_VALUE)
                         .coordinates();
         var normals = new double[3 * mesh.totalCorners()];
-        var kinds = EnumSet.noneOf(ShownDifference.Kind.class);
+        var kinds = EnumSet.noneOf(ShownDifference.ShownDifferenceKind.class);
         for (int f = 0; f < mesh.faceCount(); f++)
             for (int c = 0; c < mesh.cornerCount(f); c++) {
                 int at = 3 * mesh.corner(f, c);
                 double[] one = Arrays.copyOfRange(found, at, at + 3);
                 double length = UnitVector.length(one);
                 if (!(Math.abs(length - 1) <= UNIT))
-                    kinds.add(ShownDifference.Kind.NORMALS_LENGTHENED);
+                    kinds.add(ShownDifference.ShownDifferenceKind.NORMALS_LENGTHENED);
                 if (!(length > 0 && length < Double.POSITIVE_INFINITY)) {
-                    kinds.add(ShownDifference.Kind.FACE_NORMAL);
+                    kinds.add(ShownDifference.ShownDifferenceKind.FACE_NORMAL);
                     for (int axis = 0; axis < 3; axis++) one[axis] = mesh.cornerNormal(f, c, axis);
                 }
                 UnitVector.normalize(one);
                 System.arraycopy(one, 0, normals, 3 * (mesh.firstCorner(f) + c), 3);
             }
-        if (kinds.contains(ShownDifference.Kind.FACE_NORMAL))
-            kinds.remove(ShownDifference.Kind.NORMALS_LENGTHENED);
+        if (kinds.contains(ShownDifference.ShownDifferenceKind.FACE_NORMAL))
+            kinds.remove(ShownDifference.ShownDifferenceKind.NORMALS_LENGTHENED);
         kinds.forEach(kind -> differences.add(ShownDifference.of(kind)));
         return mesh.withNormals(normals);
     }

@@ -242,7 +242,7 @@ final class FigureInspector {
 
     /** Why the method refused: in its own words where those are the window's language. */
     private String refusal(FigureState state) {
-        if (state.drawing().ending() != LineTrace.Ending.REFUSED) return "";
+        if (state.drawing().ending() != LineTrace.TraceEnding.REFUSED) return "";
         if (state.scene().method().equals(OwnMethods.NAME))
             return OwnWords.reason(OwnMethods.NAME, state.drawing().message(), texts.language());
         return texts.language() == Language.ENGLISH

@@ -98,7 +98,7 @@ public record LineDrawing(
     }
 
     private boolean refused() {
-        return trace.ending() == LineTrace.Ending.REFUSED;
+        return trace.ending() == LineTrace.TraceEnding.REFUSED;
     }
 
     /** The coverage of the pixels; lit ones are covered wholly. */

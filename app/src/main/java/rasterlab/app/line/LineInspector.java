@@ -154,7 +154,7 @@ final class LineInspector {
     /** Why the method refused the segment. */
     private String refusal(LineLabState state) {
         LineTrace trace = state.drawing().trace();
-        return trace.ending() == LineTrace.Ending.REFUSED
+        return trace.ending() == LineTrace.TraceEnding.REFUSED
                 ? OwnWords.reason(state.drawing().method(), trace.message(), texts.language())
                 : "";
     }

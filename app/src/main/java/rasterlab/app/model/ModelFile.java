@@ -77,7 +77,7 @@ public final class ModelFile {
 
     private static Optional<Reader> materials(ModelFolder folder, String name) throws IOException {
         try {
-            Optional<ModelFolder.Found> found = folder.find(List.of(name));
+            Optional<ModelFolder.FoundFile> found = folder.find(List.of(name));
             return found.isEmpty()
                     ? Optional.empty()
                     : Optional.of(ModelText.materials(found.get().file()));

@@ -38,7 +38,7 @@ final class ModelFolder {
     /**
      * @param name the one of the names that led to it
      */
-    record Found(Path file, String name) {}
+    record FoundFile(Path file, String name) {}
 
     /** One way to look for a file. */
     private interface Way {
@@ -49,7 +49,7 @@ final class ModelFolder {
      * @param names what may be meant, the likeliest first
      * @return a file; a folder or device only where it has one of the names itself
      */
-    Optional<Found> find(List<String> names) throws IOException {
+    Optional<FoundFile> find(List<String> names) throws IOException {
         Map<String, String> spelled = new LinkedHashMap<>();
         for (String name : names) {
             spelled.putIfAbsent(name.replace('\\', '/'), name);
@@ -66,7 +66,7 @@ final class ModelFolder {
             for (String name : spelled.keySet()) {
                 Optional<Path> found = way.find(name);
                 if (found.isPresent())
-                    return Optional.of(new Found(found.get(), spelled.get(name)));
+                    return Optional.of(new FoundFile(found.get(), spelled.get(name)));
             }
         return Optional.empty();
     }

@@ -30,7 +30,7 @@ final class ModelTextures implements TextureFiles {
     public Optional<Texture> open(ObjMaterial.Map map) {
         String name = map.names().get(map.names().size() - 1);
         try {
-            Optional<ModelFolder.Found> found = folder.find(map.names());
+            Optional<ModelFolder.FoundFile> found = folder.find(map.names());
             if (found.isPresent()) {
                 String taken = found.get().name();
                 if (!taken.equals(map.names().get(0))) noteOther(map, taken);

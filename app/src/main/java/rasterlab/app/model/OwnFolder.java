@@ -15,7 +15,7 @@ final class OwnFolder {
     private final Path folder;
 
     /** A picture in the folder, and where it is. */
-    record Picture(Path file, Texture texture) {}
+    record LocatedPicture(Path file, Texture texture) {}
 
     /**
      * @param file exists
@@ -57,11 +57,11 @@ final class OwnFolder {
      *
      * @throws Complaint if there is none, or it cannot be read
      */
-    Picture picture(String name) {
+    LocatedPicture picture(String name) {
         try {
             Optional<Path> found = find(name);
             if (found.isPresent())
-                return new Picture(found.get(), PictureFile.texture(found.get()));
+                return new LocatedPicture(found.get(), PictureFile.texture(found.get()));
         } catch (IOException e) {
             throw Complaint.badInput(
                     "texture '%s' cannot be read: %s".formatted(name, WholeFile.reason(e)));

@@ -61,7 +61,7 @@ public final class SceneText {
         Optional<String> name = settings.get(SceneSetting.TEXTURE_IMAGE);
         if (name.isEmpty()) return Optional.empty();
         try {
-            OwnFolder.Picture picture = new OwnFolder(file).picture(name.get());
+            OwnFolder.LocatedPicture picture = new OwnFolder(file).picture(name.get());
             return Optional.of(lay.apply(picture.file(), picture.texture()));
         } catch (IOException e) {
             throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));

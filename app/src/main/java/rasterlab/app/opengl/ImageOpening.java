@@ -8,7 +8,7 @@ import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.Setting;
 
 /** Makes the user's images the lab's texture. */
-final class ImageOpening implements KeptFile.Lab<KeptImage, GlChoice, ImageLoading> {
+final class ImageOpening implements KeptFile.FileLab<KeptImage, GlChoice, ImageLoading> {
     private final OpenGlLabModel model;
 
     ImageOpening(OpenGlLabModel model) {

@@ -17,21 +17,21 @@ final class OffscreenGl implements AutoCloseable {
     private Optional<OffscreenContext> context = Optional.empty();
 
     /** A picture with what OpenGL says of itself. */
-    record Drawn(Raster picture, GlReport report) {}
+    record OffscreenPicture(Raster picture, GlReport report) {}
 
     /**
      * @throws NoOpenGl with the reason where there is none
      */
-    synchronized Drawn draw(GlFrame frame) {
+    synchronized OffscreenPicture draw(GlFrame frame) {
         if (context.isEmpty())
-            context = Optional.of(OffscreenContext.open(OffscreenContext.Profile.OLD));
+            context = Optional.of(OffscreenContext.open(OffscreenContext.ContextProfile.OLD));
         context.get().take();
         try {
             GlReport report = GlReport.ofCurrent();
             var target = new OffscreenTarget(frame.width(), frame.height());
             try {
                 GlPainter.draw(FrameCalls.of(frame), objects);
-                return new Drawn(GlPainter.read(frame), report);
+                return new OffscreenPicture(GlPainter.read(frame), report);
             } finally {
                 target.close();
             }

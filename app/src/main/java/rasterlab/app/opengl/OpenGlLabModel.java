@@ -14,7 +14,7 @@ import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.LatestReading;
 import rasterlab.app.canvas.work.Listeners;
-import rasterlab.app.opengl.OpenGlLabState.Pictures;
+import rasterlab.app.opengl.OpenGlLabState.OpenGlPictures;
 import rasterlab.app.opengl.call.FrameCalls;
 import rasterlab.app.opengl.call.GlCall;
 import rasterlab.app.opengl.context.GlReport;
@@ -60,7 +60,8 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
      * @param report set where the model has drawn OpenGL's picture itself
      * @param missing why it could not
      */
-    private record Answer(Pictures pictures, Optional<GlReport> report, Optional<String> missing) {}
+    private record Answer(
+            OpenGlPictures pictures, Optional<GlReport> report, Optional<String> missing) {}
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -80,7 +81,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                 new OpenGlLabState(
                         GlChoice.first(),
                         List.of(),
-                        Pictures.NONE,
+                        OpenGlPictures.NONE,
                         Optional.empty(),
                         Optional.empty(),
                         Optional.empty(),
@@ -99,19 +100,20 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                     Optional.empty(),
                     Optional.empty());
         try {
-            OffscreenGl.Drawn drawn = offscreen.draw(question.frame());
+            OffscreenGl.OffscreenPicture drawn = offscreen.draw(question.frame());
             return new Answer(
                     compared(drawn.picture(), software),
                     Optional.of(drawn.report()),
                     Optional.empty());
         } catch (NoOpenGl e) {
-            var alone = new Pictures(Optional.empty(), Optional.of(software), Optional.empty());
+            var alone =
+                    new OpenGlPictures(Optional.empty(), Optional.of(software), Optional.empty());
             return new Answer(alone, Optional.empty(), Optional.of(e.getMessage()));
         }
     }
 
-    private static Pictures compared(Raster openGl, Raster software) {
-        return new Pictures(
+    private static OpenGlPictures compared(Raster openGl, Raster software) {
+        return new OpenGlPictures(
                 Optional.of(openGl),
                 Optional.of(software),
                 Optional.of(Comparison.of(openGl, software)));
@@ -320,7 +322,10 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     }
 
     private void publish(
-            GlChoice choice, Pictures shown, Optional<GlReport> report, Optional<String> missing) {
+            GlChoice choice,
+            OpenGlPictures shown,
+            Optional<GlReport> report,
+            Optional<String> missing) {
         state =
                 new OpenGlLabState(
                         choice,

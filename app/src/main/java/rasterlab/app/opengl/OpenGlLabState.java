@@ -21,7 +21,7 @@ import rasterlab.engine.raster.Raster;
 public record OpenGlLabState(
         GlChoice choice,
         List<GlCall> calls,
-        Pictures pictures,
+        OpenGlPictures pictures,
         Optional<GlReport> report,
         Optional<String> missing,
         Optional<String> problem,
@@ -32,9 +32,9 @@ public record OpenGlLabState(
      * @param openGl empty where there is no OpenGL
      * @param difference of the two
      */
-    public record Pictures(
+    public record OpenGlPictures(
             Optional<Raster> openGl, Optional<Raster> software, Optional<Comparison> difference) {
-        static final Pictures NONE =
-                new Pictures(Optional.empty(), Optional.empty(), Optional.empty());
+        static final OpenGlPictures NONE =
+                new OpenGlPictures(Optional.empty(), Optional.empty(), Optional.empty());
     }
 }

@@ -11,7 +11,7 @@ import rasterlab.engine.raster.Raster;
  */
 record PixelReading(int x, int y, String openGl, String software) {
     /** The reading at a pixel; empty where there is no such pixel yet. */
-    static Optional<PixelReading> at(OpenGlLabState.Pictures pictures, int x, int y) {
+    static Optional<PixelReading> at(OpenGlLabState.OpenGlPictures pictures, int x, int y) {
         return pictures.software()
                 .filter(raster -> raster.contains(x, y))
                 .map(

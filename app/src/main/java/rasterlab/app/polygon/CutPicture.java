@@ -18,8 +18,8 @@ import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.polygon.figure.CutFigure;
 import rasterlab.app.polygon.figure.PolygonPoint;
 import rasterlab.app.polygon.outcome.CutAnswer;
-import rasterlab.app.polygon.outcome.CutAnswer.Cut;
-import rasterlab.app.polygon.outcome.CutAnswer.Fault;
+import rasterlab.app.polygon.outcome.CutAnswer.CutTriangle;
+import rasterlab.app.polygon.outcome.CutAnswer.TriangleFault;
 import rasterlab.engine.raster.PixelMark;
 
 /**
@@ -35,7 +35,7 @@ record CutPicture(
         CutFigure figure,
         String method,
         CutAnswer answer,
-        List<Cut> other,
+        List<CutTriangle> other,
         String otherMethod,
         int step,
         List<Rectangle> taken)
@@ -58,7 +58,7 @@ record CutPicture(
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColors colors, BooleanSupplier cancelled) {
         var strokes = new FigureLines(g, map, colors);
-        List<Cut> made = answer.cuts().subList(0, Math.min(step, answer.steps()));
+        List<CutTriangle> made = answer.cuts().subList(0, Math.min(step, answer.steps()));
         strokes.area(figure.corners(), colors.axis(), 40);
         Color color = PolygonColors.OWN.of(method);
         boolean stepping = step > 0 && step <= answer.steps();
@@ -66,15 +66,15 @@ record CutPicture(
             boolean now = stepping && i == made.size() - 1;
             strokes.area(corners(made.get(i)), now ? colors.focus() : color, now ? 110 : 70);
         }
-        for (Cut cut : made) strokes.outline(corners(cut), edge(colors, color), 1.8f);
-        for (Cut cut : other)
+        for (CutTriangle cut : made) strokes.outline(corners(cut), edge(colors, color), 1.8f);
+        for (CutTriangle cut : other)
             strokes.dashed(
                     figure.corners().get(cut.a()),
                     figure.corners().get(cut.c()),
                     edge(colors, PolygonColors.OWN.of(otherMethod)));
         strokes.outline(figure.corners(), colors.ink(), 2);
         if (stepping) paintStep(strokes, made.get(made.size() - 1), colors);
-        for (Cut cut : made) if (cut.fault() != Fault.NONE) mark(g, map, cut);
+        for (CutTriangle cut : made) if (cut.fault() != TriangleFault.NONE) mark(g, map, cut);
         if (made.size() <= 30) number(strokes, made);
     }
 
@@ -82,18 +82,18 @@ record CutPicture(
         return MethodColors.edgeOn(colors.ground(), color);
     }
 
-    private List<PolygonPoint> corners(Cut cut) {
+    private List<PolygonPoint> corners(CutTriangle cut) {
         List<PolygonPoint> corners = figure.corners();
         return List.of(corners.get(cut.a()), corners.get(cut.b()), corners.get(cut.c()));
     }
 
-    private void paintStep(FigureLines strokes, Cut cut, StageColors colors) {
+    private void paintStep(FigureLines strokes, CutTriangle cut, StageColors colors) {
         List<PolygonPoint> corners = corners(cut);
         strokes.line(corners.get(0), corners.get(2), colors.focus(), 4);
     }
 
     /** Marks the middle of the triangle, shared with its number: the number stands above. */
-    private void mark(Graphics2D g, PlaneMap map, Cut cut) {
+    private void mark(Graphics2D g, PlaneMap map, CutTriangle cut) {
         PolygonPoint middle = middle(cut);
         PixelMark.EXTRA.paint(
                 g, map.viewX(middle.x()) - MARK / 2, map.viewY(middle.y()) - MARK / 2, MARK);
@@ -103,12 +103,12 @@ record CutPicture(
      * Writes each in its triangle, and clear of labels and of the numbers before it where it can
      * be.
      */
-    private void number(FigureLines strokes, List<Cut> made) {
+    private void number(FigureLines strokes, List<CutTriangle> made) {
         var full = new ArrayList<Rectangle>(taken);
         for (int i = 0; i < made.size(); i++) {
-            Cut cut = made.get(i);
+            CutTriangle cut = made.get(i);
             String number = String.valueOf(i + 1);
-            double down = cut.fault() == Fault.NONE ? 0 : MARK;
+            double down = cut.fault() == TriangleFault.NONE ? 0 : MARK;
             PolygonPoint at =
                     places(cut)
                             .filter(
@@ -128,7 +128,7 @@ record CutPicture(
      * The places in the triangle: its middle first, then towards its sides, then towards its
      * corners.
      */
-    private Stream<PolygonPoint> places(Cut cut) {
+    private Stream<PolygonPoint> places(CutTriangle cut) {
         List<PolygonPoint> corners = corners(cut);
         PolygonPoint middle = middle(cut);
         Stream<PolygonPoint> sides =
@@ -147,7 +147,7 @@ record CutPicture(
                 from.x() + part * (to.x() - from.x()), from.y() + part * (to.y() - from.y()));
     }
 
-    private PolygonPoint middle(Cut cut) {
+    private PolygonPoint middle(CutTriangle cut) {
         List<PolygonPoint> corners = corners(cut);
         return between(corners.get(0), between(corners.get(1), corners.get(2), 0.5), 2 / 3.0);
     }

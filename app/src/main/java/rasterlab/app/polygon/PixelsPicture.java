@@ -33,7 +33,8 @@ import rasterlab.engine.surface.Brush;
  * @param wrong what is marked when the result is shown
  * @param step as {@link PolygonLabState#step}
  */
-record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wrong wrong, int step)
+record PixelsPicture(
+        PolygonFigure figure, String method, PixelAnswer answer, WrongPixels wrong, int step)
         implements PlanePicture {
     /** The view units a pixel from which on lines between pixels and marks are drawn. */
     private static final double GRID = 5;
@@ -45,7 +46,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
      *
      * @param second the other method, whose pixels the missing ones are; "" for the exact answer
      */
-    record Wrong(PixelSet missing, PixelSet extra, String second) {}
+    record WrongPixels(PixelSet missing, PixelSet extra, String second) {}
 
     @Override
     public List<Line2D> lines(PlaneMap map, Rectangle view) {

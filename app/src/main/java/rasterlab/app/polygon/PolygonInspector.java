@@ -243,7 +243,7 @@ final class PolygonInspector {
     /** Why the method refused: in its own words where those are the window's language. */
     private String refusal(PolygonLabState state) {
         MethodOutcome outcome = state.results().outcome();
-        if (outcome.ending() != MethodOutcome.Ending.REFUSED) return "";
+        if (outcome.ending() != MethodOutcome.MethodEnding.REFUSED) return "";
         if (outcome.method().equals(OwnMethods.NAME))
             return OwnWords.reason(OwnMethods.NAME, outcome.message(), texts.language());
         return texts.language() == Language.ENGLISH

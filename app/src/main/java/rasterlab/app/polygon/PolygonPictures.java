@@ -32,7 +32,7 @@ record PolygonPictures(PolygonTopics topics, Texts texts) {
                 figure,
                 outcome.method(),
                 pixels,
-                new PixelsPicture.Wrong(pixels.missing(), pixels.extra(), ""),
+                new PixelsPicture.WrongPixels(pixels.missing(), pixels.extra(), ""),
                 step);
     }
 
@@ -61,7 +61,8 @@ record PolygonPictures(PolygonTopics topics, Texts texts) {
                 figure,
                 first.method(),
                 pixels,
-                new PixelsPicture.Wrong(difference.missing(), difference.extra(), second.method()),
+                new PixelsPicture.WrongPixels(
+                        difference.missing(), difference.extra(), second.method()),
                 step);
     }
 

@@ -7,8 +7,8 @@ import java.util.Optional;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.widget.Formula;
+import rasterlab.app.canvas.widget.Formula.FormulaWords;
 import rasterlab.app.canvas.widget.Formula.Matrix;
-import rasterlab.app.canvas.widget.Formula.Words;
 import rasterlab.app.language.Texts;
 import rasterlab.app.polygon.figure.CutFigure;
 import rasterlab.app.polygon.figure.Grip;
@@ -17,8 +17,8 @@ import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.polygon.figure.PolygonPoint;
 import rasterlab.app.polygon.figure.PolygonScene;
 import rasterlab.app.polygon.outcome.CutAnswer;
-import rasterlab.app.polygon.outcome.CutAnswer.Cut;
-import rasterlab.app.polygon.outcome.CutAnswer.Fault;
+import rasterlab.app.polygon.outcome.CutAnswer.CutTriangle;
+import rasterlab.app.polygon.outcome.CutAnswer.TriangleFault;
 import rasterlab.app.polygon.outcome.InsideAnswer;
 import rasterlab.app.polygon.outcome.InsideAnswer.AskedSide;
 import rasterlab.app.polygon.outcome.MethodOutcome;
@@ -88,7 +88,7 @@ final class PolygonReadings {
 
     private record JudgedPoint(InsideAnswer answer, int number) {}
 
-    private Optional<Cut> cut() {
+    private Optional<CutTriangle> cut() {
         return state.onAStep() && outcome.answer() instanceof CutAnswer answer
                 ? Optional.of(answer.cuts().get(state.step() - 1))
                 : Optional.empty();
@@ -190,9 +190,9 @@ final class PolygonReadings {
         if (!(outcome.answer() instanceof CutAnswer answer) || answer.steps() == 0) return NONE;
         if (!state.finished()) return texts.text("known.later");
         var kinds = new ArrayList<String>();
-        for (Fault fault : Fault.values()) {
+        for (TriangleFault fault : TriangleFault.values()) {
             long count = answer.cuts().stream().filter(cut -> cut.fault() == fault).count();
-            if (fault != Fault.NONE && count > 0)
+            if (fault != TriangleFault.NONE && count > 0)
                 kinds.add(texts.text("faulty." + fault.name().toLowerCase(Locale.ROOT), count));
         }
         return kinds.isEmpty()
@@ -201,7 +201,7 @@ final class PolygonReadings {
     }
 
     private String count(long items) {
-        if (outcome.ending() != MethodOutcome.Ending.ENDED) return NONE;
+        if (outcome.ending() != MethodOutcome.MethodEnding.ENDED) return NONE;
         if (!state.finished()) return texts.text("known.later");
         if (outcome.answer() instanceof InsideAnswer answer)
             return judged("items.at", "items.points", items, answer);
@@ -215,7 +215,7 @@ final class PolygonReadings {
     }
 
     String worst() {
-        if (outcome.ending() != MethodOutcome.Ending.ENDED) return NONE;
+        if (outcome.ending() != MethodOutcome.MethodEnding.ENDED) return NONE;
         if (!state.finished()) return texts.text("known.later");
         return texts.text(
                 "worst." + scene.mode().code(),
@@ -229,7 +229,7 @@ final class PolygonReadings {
     }
 
     private String other(MethodOutcome second) {
-        if (second.ending() != MethodOutcome.Ending.ENDED)
+        if (second.ending() != MethodOutcome.MethodEnding.ENDED)
             return OwnWords.without(
                     second.method(),
                     texts.text("ending." + second.ending().name().toLowerCase(Locale.ROOT)),
@@ -265,15 +265,15 @@ final class PolygonReadings {
         PolygonPoint q = figure.corners().get(side.to());
         PolygonPoint at = figure.points().get(0);
         return Formula.of(
-                new Words("det"),
+                new FormulaWords("det"),
                 new Matrix(
                         List.of(
                                 numbers(q.x() - p.x(), q.y() - p.y()),
                                 numbers(at.x() - p.x(), at.y() - p.y()))),
-                new Words("= " + value(side.value(), texts.locale())));
+                new FormulaWords("= " + value(side.value(), texts.locale())));
     }
 
-    private Formula doubledArea(Cut cut) {
+    private Formula doubledArea(CutTriangle cut) {
         List<PolygonPoint> corners = ((CutFigure) scene.figure()).corners();
         PolygonPoint a = corners.get(cut.a());
         PolygonPoint b = corners.get(cut.b());
@@ -283,9 +283,9 @@ final class PolygonReadings {
         double vx = c.x() - a.x();
         double vy = c.y() - a.y();
         return Formula.of(
-                new Words("D = det"),
+                new FormulaWords("D = det"),
                 new Matrix(List.of(numbers(ux, uy), numbers(vx, vy))),
-                new Words("= " + Shown.number(ux * vy - uy * vx, texts.locale())));
+                new FormulaWords("= " + Shown.number(ux * vy - uy * vx, texts.locale())));
     }
 
     private List<String> numbers(double one, double other) {

@@ -159,11 +159,11 @@ final class PolygonStage extends JPanel implements AutoCloseable {
                 PolygonReadings.named(mode, grip, texts)
                         + " "
                         + Shown.point(at.x(), at.y(), texts.locale());
-        PlanePoint.Form form =
+        PlanePoint.HandleShape form =
                 switch (grip.kind()) {
-                    case CORNER -> PlanePoint.Form.DIAMOND;
-                    case POINT, SEED -> PlanePoint.Form.CIRCLE;
-                    case PEN -> PlanePoint.Form.SQUARE;
+                    case CORNER -> PlanePoint.HandleShape.DIAMOND;
+                    case POINT, SEED -> PlanePoint.HandleShape.CIRCLE;
+                    case PEN -> PlanePoint.HandleShape.SQUARE;
                 };
         return new PlanePoint(
                 grip.componentName(),

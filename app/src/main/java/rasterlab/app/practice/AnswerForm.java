@@ -13,7 +13,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
-import rasterlab.app.practice.Board.Named;
+import rasterlab.app.practice.Board.NamedPick;
 import rasterlab.app.practice.Board.Target;
 import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.predicting.Question;
@@ -75,8 +75,8 @@ final class AnswerForm extends JPanel {
             return asked.words().stream().<JsonNode>map(TextNode::valueOf).toList();
         if (right.isBoolean()) return List.of(BooleanNode.TRUE, BooleanNode.FALSE);
         return board.map(Board::picking)
-                .filter(Named.class::isInstance)
-                .map(Named.class::cast)
+                .filter(NamedPick.class::isInstance)
+                .map(NamedPick.class::cast)
                 .filter(named -> named.field().equals(asked.field()))
                 .map(named -> named.targets().stream().map(Target::value).toList())
                 .orElse(List.of());

@@ -11,13 +11,13 @@ import java.util.List;
  * @param figures later ones over earlier ones
  * @param picking what a click on it answers
  */
-record Board(Space space, List<Figure> figures, Picking picking) {
+record Board(BoardSpace space, List<BoardFigure> figures, Picking picking) {
     Board {
         figures = List.copyOf(figures);
     }
 
     /** The space that coordinates belong to. */
-    enum Space {
+    enum BoardSpace {
         /** Pixels, with y down. */
         PIXELS,
         /** A plane, with y up and both axes to one scale. */
@@ -29,7 +29,7 @@ record Board(Space space, List<Figure> figures, Picking picking) {
     }
 
     /** The purpose of a figure. */
-    enum Look {
+    enum FigureLook {
         /** Belongs to the input. */
         GIVEN,
         /** A pixel that nothing may cover. */
@@ -45,14 +45,14 @@ record Board(Space space, List<Figure> figures, Picking picking) {
     }
 
     /** Something in the picture. */
-    sealed interface Figure permits Cell, Path, Dot {}
+    sealed interface BoardFigure permits BoardCell, BoardPath, BoardDot {}
 
     /** A pixel. */
-    record Cell(int x, int y, Look look) implements Figure {}
+    record BoardCell(int x, int y, FigureLook look) implements BoardFigure {}
 
     /** A line from point to point. */
-    record Path(List<Point2D> points, boolean closed, Look look) implements Figure {
-        Path {
+    record BoardPath(List<Point2D> points, boolean closed, FigureLook look) implements BoardFigure {
+        BoardPath {
             points = List.copyOf(points);
         }
     }
@@ -62,16 +62,16 @@ record Board(Space space, List<Figure> figures, Picking picking) {
      *
      * @param label beside it; "" for none, a word in the place of {@code label.…} in the texts
      */
-    record Dot(Point2D at, String label, Look look) implements Figure {}
+    record BoardDot(Point2D at, String label, FigureLook look) implements BoardFigure {}
 
     /** How a click becomes an answer. */
-    sealed interface Picking permits None, Pixel, Run, Point, Named {}
+    sealed interface Picking permits NoPick, PixelPick, RunPick, PointPick, NamedPick {}
 
     /** Clicks answer nothing. */
-    record None() implements Picking {}
+    record NoPick() implements Picking {}
 
     /** The pixel clicked, by the fields of its coordinates. */
-    record Pixel(String x, String y) implements Picking {}
+    record PixelPick(String x, String y) implements Picking {}
 
     /**
      * Pixels of one row, from the one pressed to the one released.
@@ -80,14 +80,14 @@ record Board(Space space, List<Figure> figures, Picking picking) {
      * @param from field of the first column
      * @param to field of the column behind the last one
      */
-    record Run(String row, String from, String to) implements Picking {}
+    record RunPick(String row, String from, String to) implements Picking {}
 
     /** The point clicked, by the fields of its coordinates. */
-    record Point(String x, String y) implements Picking {}
+    record PointPick(String x, String y) implements Picking {}
 
     /** One of several things, clicked at one of its points. */
-    record Named(String field, List<Target> targets) implements Picking {
-        Named {
+    record NamedPick(String field, List<Target> targets) implements Picking {
+        NamedPick {
             targets = List.copyOf(targets);
         }
     }

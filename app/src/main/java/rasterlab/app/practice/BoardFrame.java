@@ -16,15 +16,15 @@ import rasterlab.app.canvas.PlaneRulers;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.ZoomedGrid;
-import rasterlab.app.practice.Board.Cell;
-import rasterlab.app.practice.Board.Dot;
-import rasterlab.app.practice.Board.Figure;
-import rasterlab.app.practice.Board.Look;
-import rasterlab.app.practice.Board.Path;
-import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Board.BoardCell;
+import rasterlab.app.practice.Board.BoardDot;
+import rasterlab.app.practice.Board.BoardFigure;
+import rasterlab.app.practice.Board.BoardPath;
+import rasterlab.app.practice.Board.BoardSpace;
+import rasterlab.app.practice.Board.FigureLook;
 
 /** Where a board lies in its stage, with rulers. */
-record BoardFrame(Space space, PlaneMap map, Dimension view) {
+record BoardFrame(BoardSpace space, PlaneMap map, Dimension view) {
     /** Pixels around what is drawn, where a wrong answer may lie. */
     private static final int AROUND = 2;
 
@@ -54,7 +54,7 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
 
     /** Where all lies when it is nearer by a factor and a view point keeps its place. */
     PlaneMap zoomed(double factor, Point2D at) {
-        return space == Space.PIXELS ? map(grid().zoomed(factor, at)) : map.zoomed(factor, at);
+        return space == BoardSpace.PIXELS ? map(grid().zoomed(factor, at)) : map.zoomed(factor, at);
     }
 
     private static PlaneMap map(ZoomedGrid grid) {
@@ -76,22 +76,23 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
         return map(grid);
     }
 
-    private static Stream<Point2D> points(Figure figure) {
-        if (figure instanceof Cell cell && cell.look() != Look.WRONG)
+    private static Stream<Point2D> points(BoardFigure figure) {
+        if (figure instanceof BoardCell cell && cell.look() != FigureLook.WRONG)
             return Stream.of(new Point2D.Double(cell.x(), cell.y()));
-        if (figure instanceof Path path) return path.points().stream();
-        if (figure instanceof Dot dot && dot.look() != Look.WRONG) return Stream.of(dot.at());
+        if (figure instanceof BoardPath path) return path.points().stream();
+        if (figure instanceof BoardDot dot && dot.look() != FigureLook.WRONG)
+            return Stream.of(dot.at());
         return Stream.empty();
     }
 
     void paintGrid(Graphics2D g, Font font, Locale locale) {
-        if (space == Space.PIXELS) rulers(font).paintGrid(g);
-        else if (space != Space.SPACE) planeRulers(font, locale).paintGrid(g);
+        if (space == BoardSpace.PIXELS) rulers(font).paintGrid(g);
+        else if (space != BoardSpace.SPACE) planeRulers(font, locale).paintGrid(g);
     }
 
     void paintMargins(Graphics2D g, Font font, Locale locale) {
-        if (space == Space.PIXELS) rulers(font).paintMargins(g);
-        else if (space != Space.SPACE) planeRulers(font, locale).paintMargins(g);
+        if (space == BoardSpace.PIXELS) rulers(font).paintMargins(g);
+        else if (space != BoardSpace.SPACE) planeRulers(font, locale).paintMargins(g);
     }
 
     private Rulers rulers(Font font) {

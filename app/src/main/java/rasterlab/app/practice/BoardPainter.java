@@ -14,11 +14,11 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.language.Texts;
-import rasterlab.app.practice.Board.Cell;
-import rasterlab.app.practice.Board.Dot;
-import rasterlab.app.practice.Board.Figure;
-import rasterlab.app.practice.Board.Look;
-import rasterlab.app.practice.Board.Path;
+import rasterlab.app.practice.Board.BoardCell;
+import rasterlab.app.practice.Board.BoardDot;
+import rasterlab.app.practice.Board.BoardFigure;
+import rasterlab.app.practice.Board.BoardPath;
+import rasterlab.app.practice.Board.FigureLook;
 
 /**
  * Draws a board's figures; what is newest, asked or wrong has a sign of its own beside its colour.
@@ -40,13 +40,13 @@ final class BoardPainter {
     }
 
     void paint(Board board) {
-        for (Figure figure : board.figures())
-            if (figure instanceof Cell cell) paint(cell);
-            else if (figure instanceof Path path) paint(path);
-            else if (figure instanceof Dot dot) paint(dot);
+        for (BoardFigure figure : board.figures())
+            if (figure instanceof BoardCell cell) paint(cell);
+            else if (figure instanceof BoardPath path) paint(path);
+            else if (figure instanceof BoardDot dot) paint(dot);
     }
 
-    private Color color(Look look) {
+    private Color color(FigureLook look) {
         return switch (look) {
             case GIVEN -> colors.ink();
             case WALL -> colors.axis();
@@ -64,18 +64,18 @@ final class BoardPainter {
                 map.viewX(x - 0.5) + 1, map.viewY(y - 0.5) + 1, cell - 2, cell - 2);
     }
 
-    private void paint(Cell cell) {
+    private void paint(BoardCell cell) {
         Rectangle2D square = square(cell.x(), cell.y());
         Color color = color(cell.look());
-        if (cell.look() != Look.WRONG) {
+        if (cell.look() != FigureLook.WRONG) {
             g.setColor(color);
             g.fill(square);
         }
         g.setColor(MethodColors.edgeOn(colors.ground(), color));
         g.setStroke(new BasicStroke(THIN));
         g.draw(square);
-        if (cell.look() == Look.WRONG) cross(square);
-        if (cell.look() == Look.NEWEST) {
+        if (cell.look() == FigureLook.WRONG) cross(square);
+        if (cell.look() == FigureLook.NEWEST) {
             double size = map.scaleX() / 4;
             g.setColor(MethodColors.inkOn(color));
             g.fill(
@@ -97,7 +97,7 @@ final class BoardPainter {
         g.draw(new Line2D.Double(left, in.getMaxY() - pad, right, in.getMinY() + pad));
     }
 
-    private void paint(Path path) {
+    private void paint(BoardPath path) {
         if (path.points().isEmpty()) return;
         var shape = new Path2D.Double();
         for (Point2D point : path.points())
@@ -110,10 +110,11 @@ final class BoardPainter {
     }
 
     /** Dashes the things that are asked for, so that they are seen on the given ones. */
-    private static BasicStroke stroke(Look look) {
-        boolean thin = look == Look.GIVEN || look == Look.DONE || look == Look.WALL;
+    private static BasicStroke stroke(FigureLook look) {
+        boolean thin =
+                look == FigureLook.GIVEN || look == FigureLook.DONE || look == FigureLook.WALL;
         float wide = thin ? THIN : THICK;
-        return look == Look.ASKED
+        return look == FigureLook.ASKED
                 ? new BasicStroke(
                         2 * THICK,
                         BasicStroke.CAP_BUTT,
@@ -124,12 +125,12 @@ final class BoardPainter {
                 : new BasicStroke(wide, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }
 
-    private void paint(Dot dot) {
+    private void paint(BoardDot dot) {
         double size = PictureType.scaled(9);
         Rectangle2D box =
                 new Rectangle2D.Double(
                         viewX(dot.at()) - size / 2, viewY(dot.at()) - size / 2, size, size);
-        if (dot.look() == Look.WRONG) {
+        if (dot.look() == FigureLook.WRONG) {
             double large = 2 * size;
             cross(
                     new Rectangle2D.Double(
@@ -144,7 +145,7 @@ final class BoardPainter {
         if (!dot.label().isEmpty()) label(dot, size);
     }
 
-    private void label(Dot dot, double size) {
+    private void label(BoardDot dot, double size) {
         String words = texts.textOr("label." + dot.label(), dot.label());
         FontMetrics metrics = g.getFontMetrics();
         float x = (float) (viewX(dot.at()) + size);

@@ -5,13 +5,13 @@ import com.fasterxml.jackson.databind.node.TextNode;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.practice.Board.Dot;
-import rasterlab.app.practice.Board.Figure;
-import rasterlab.app.practice.Board.Look;
-import rasterlab.app.practice.Board.Named;
-import rasterlab.app.practice.Board.None;
-import rasterlab.app.practice.Board.Path;
-import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Board.BoardDot;
+import rasterlab.app.practice.Board.BoardFigure;
+import rasterlab.app.practice.Board.BoardPath;
+import rasterlab.app.practice.Board.BoardSpace;
+import rasterlab.app.practice.Board.FigureLook;
+import rasterlab.app.practice.Board.NamedPick;
+import rasterlab.app.practice.Board.NoPick;
 import rasterlab.app.practice.Board.Target;
 import rasterlab.app.practice.Sketch.Walked;
 
@@ -34,16 +34,16 @@ final class ClipSketches {
                         ? whole
                         : QuestionPoints.flat(
                                 walked.steps().get(walked.steps().size() - 1).path("segment"));
-        var figures = new ArrayList<Figure>();
-        figures.add(new Path(box, true, Look.GIVEN));
-        figures.add(new Path(whole, false, Look.DONE));
-        figures.add(new Path(left, false, Look.NEWEST));
+        var figures = new ArrayList<BoardFigure>();
+        figures.add(new BoardPath(box, true, FigureLook.GIVEN));
+        figures.add(new BoardPath(whole, false, FigureLook.DONE));
+        figures.add(new BoardPath(left, false, FigureLook.NEWEST));
         for (int i = 0; i < left.size(); i++)
-            figures.add(new Dot(left.get(i), String.valueOf(i + 1), Look.NEWEST));
+            figures.add(new BoardDot(left.get(i), String.valueOf(i + 1), FigureLook.NEWEST));
         var targets = new ArrayList<Target>();
         for (int i = 0; i < SIDES.size(); i++)
             targets.add(new Target(TextNode.valueOf(SIDES.get(i)), side(box, i)));
-        return new Board(Space.PLANE, figures, new Named("at", targets));
+        return new Board(BoardSpace.PLANE, figures, new NamedPick("at", targets));
     }
 
     private static List<Point2D> side(List<Point2D> box, int from) {
@@ -59,21 +59,21 @@ final class ClipSketches {
                 walked.steps().isEmpty()
                         ? whole
                         : walked.steps().get(walked.steps().size() - 1).path(POLYGON);
-        var figures = new ArrayList<Figure>();
-        figures.add(new Path(box, true, Look.GIVEN));
+        var figures = new ArrayList<BoardFigure>();
+        figures.add(new BoardPath(box, true, FigureLook.GIVEN));
         String at = walked.told().path("at").asText();
         if (at.startsWith("side ")) {
             int side = Integer.parseInt(at.substring("side ".length()));
             figures.add(
-                    new Path(
+                    new BoardPath(
                             List.of(box.get(side), box.get((side + 1) % box.size())),
                             false,
-                            Look.ASKED));
+                            FigureLook.ASKED));
         }
-        figures.add(new Path(QuestionPoints.all(whole), true, Look.DONE));
-        figures.add(new Path(QuestionPoints.all(left), true, Look.NEWEST));
+        figures.add(new BoardPath(QuestionPoints.all(whole), true, FigureLook.DONE));
+        figures.add(new BoardPath(QuestionPoints.all(left), true, FigureLook.NEWEST));
         for (Point2D corner : QuestionPoints.all(left))
-            figures.add(new Dot(corner, "", Look.NEWEST));
-        return new Board(Space.PLANE, figures, new None());
+            figures.add(new BoardDot(corner, "", FigureLook.NEWEST));
+        return new Board(BoardSpace.PLANE, figures, new NoPick());
     }
 }

@@ -6,12 +6,12 @@ import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.StreamSupport;
-import rasterlab.app.practice.Board.Dot;
-import rasterlab.app.practice.Board.Figure;
-import rasterlab.app.practice.Board.Look;
-import rasterlab.app.practice.Board.Named;
-import rasterlab.app.practice.Board.Path;
-import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Board.BoardDot;
+import rasterlab.app.practice.Board.BoardFigure;
+import rasterlab.app.practice.Board.BoardPath;
+import rasterlab.app.practice.Board.BoardSpace;
+import rasterlab.app.practice.Board.FigureLook;
+import rasterlab.app.practice.Board.NamedPick;
 import rasterlab.app.practice.Board.Target;
 import rasterlab.app.practice.Sketch.Walked;
 
@@ -22,20 +22,20 @@ final class DepthSketches {
     /** The polygons seen from above: x to the right, depth upward from the eye. */
     static Board order(Walked walked) {
         JsonNode polygons = walked.input().path("polygons");
-        var figures = new ArrayList<Figure>();
+        var figures = new ArrayList<BoardFigure>();
         var targets = new ArrayList<Target>();
-        figures.add(new Dot(fromAbove(walked.input().path("eye")), "eye", Look.DONE));
+        figures.add(new BoardDot(fromAbove(walked.input().path("eye")), "eye", FigureLook.DONE));
         for (int i = 0; i < polygons.size(); i++) {
             List<Point2D> above =
                     StreamSupport.stream(polygons.get(i).spliterator(), false)
                             .map(DepthSketches::fromAbove)
                             .toList();
-            Look look = PlaneSketches.look(walked, "paint", i);
-            figures.add(new Path(above, true, look));
-            figures.add(new Dot(above.get(i % 2), String.valueOf(i), look));
+            FigureLook look = PlaneSketches.look(walked, "paint", i);
+            figures.add(new BoardPath(above, true, look));
+            figures.add(new BoardDot(above.get(i % 2), String.valueOf(i), look));
             targets.add(new Target(LongNode.valueOf(i), QuestionPoints.along(above, true)));
         }
-        return new Board(Space.DEPTH, figures, new Named("paint", targets));
+        return new Board(BoardSpace.DEPTH, figures, new NamedPick("paint", targets));
     }
 
     private static Point2D fromAbove(JsonNode point) {
@@ -46,7 +46,7 @@ final class DepthSketches {
     static Board spans(Walked walked) {
         JsonNode faces = walked.input().path("faces");
         JsonNode vertices = walked.input().path("vertices");
-        var figures = new ArrayList<Figure>();
+        var figures = new ArrayList<BoardFigure>();
         var targets = new ArrayList<Target>();
         double top = 0;
         for (int i = 0; i < faces.size(); i++) {
@@ -54,22 +54,22 @@ final class DepthSketches {
             for (JsonNode vertex : faces.get(i))
                 above.add(fromAbove(vertices.path(vertex.intValue())));
             for (Point2D corner : above) top = Math.max(top, corner.getY());
-            figures.add(new Path(above, true, PlaneSketches.look(walked, "span", i)));
-            figures.add(new Dot(above.get(i % 2), String.valueOf(i), Look.GIVEN));
+            figures.add(new BoardPath(above, true, PlaneSketches.look(walked, "span", i)));
+            figures.add(new BoardDot(above.get(i % 2), String.valueOf(i), FigureLook.GIVEN));
             targets.add(new Target(LongNode.valueOf(i), QuestionPoints.along(above, true)));
         }
         double middle = walked.input().path("size").path(0).doubleValue() / 2;
         for (int i = 0; i < walked.steps().size(); i++)
             figures.add(span(walked.steps().get(i), middle, top, walked.look(i)));
-        figures.add(span(walked.told(), middle, top, Look.ASKED));
-        return new Board(Space.DEPTH, figures, new Named("span", targets));
+        figures.add(span(walked.told(), middle, top, FigureLook.ASKED));
+        return new Board(BoardSpace.DEPTH, figures, new NamedPick("span", targets));
     }
 
     /** The pixels of a span above the boards; nothing where none is told. */
-    private static Path span(JsonNode step, double middle, double top, Look look) {
-        if (!step.path("from").isNumber()) return new Path(List.of(), false, look);
+    private static BoardPath span(JsonNode step, double middle, double top, FigureLook look) {
+        if (!step.path("from").isNumber()) return new BoardPath(List.of(), false, look);
         double y = top + 1;
-        return new Path(
+        return new BoardPath(
                 List.of(
                         new Point2D.Double(step.path("from").doubleValue() - middle, y),
                         new Point2D.Double(step.path("to").doubleValue() - middle, y)),

@@ -4,12 +4,12 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.practice.Board.Dot;
-import rasterlab.app.practice.Board.Figure;
-import rasterlab.app.practice.Board.Look;
-import rasterlab.app.practice.Board.None;
-import rasterlab.app.practice.Board.Path;
-import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Board.BoardDot;
+import rasterlab.app.practice.Board.BoardFigure;
+import rasterlab.app.practice.Board.BoardPath;
+import rasterlab.app.practice.Board.BoardSpace;
+import rasterlab.app.practice.Board.FigureLook;
+import rasterlab.app.practice.Board.NoPick;
 import rasterlab.app.practice.Sketch.Walked;
 
 /** Sketches for questions whose numbers nobody can click. */
@@ -26,9 +26,9 @@ final class NumberSketches {
     static Board turns(Walked walked) {
         Point2D from = QuestionPoints.of(walked.input().path("points").path(0));
         double radius = Math.max(1, from.distance(0, 0));
-        var figures = new ArrayList<Figure>();
+        var figures = new ArrayList<BoardFigure>();
         figures.add(circle(radius));
-        addTurned(figures, from, "0", Look.GIVEN);
+        addTurned(figures, from, "0", FigureLook.GIVEN);
         List<JsonNode> steps = walked.steps();
         for (int i = 0; i < steps.size(); i++) {
             double value = steps.get(i).path("value").doubleValue();
@@ -38,28 +38,29 @@ final class NumberSketches {
                 addTurned(figures, new Point2D.Double(x, value), turn, walked.look(i));
             } else if (i == steps.size() - 1)
                 figures.add(
-                        new Path(
+                        new BoardPath(
                                 List.of(
                                         new Point2D.Double(value, -radius),
                                         new Point2D.Double(value, radius)),
                                 false,
-                                Look.NEWEST));
+                                FigureLook.NEWEST));
         }
-        return new Board(Space.PLANE, figures, new None());
+        return new Board(BoardSpace.PLANE, figures, new NoPick());
     }
 
-    private static Path circle(double radius) {
+    private static BoardPath circle(double radius) {
         List<Point2D> points = new ArrayList<>();
         for (int i = 0; i < CHORDS; i++) {
             double angle = 2 * Math.PI * i / CHORDS;
             points.add(new Point2D.Double(radius * Math.cos(angle), radius * Math.sin(angle)));
         }
-        return new Path(points, true, Look.WALL);
+        return new BoardPath(points, true, FigureLook.WALL);
     }
 
-    private static void addTurned(List<Figure> figures, Point2D at, String label, Look look) {
-        figures.add(new Path(List.of(new Point2D.Double(), at), false, look));
-        figures.add(new Dot(at, label, look));
+    private static void addTurned(
+            List<BoardFigure> figures, Point2D at, String label, FigureLook look) {
+        figures.add(new BoardPath(List.of(new Point2D.Double(), at), false, look));
+        figures.add(new BoardDot(at, label, look));
     }
 
     /** Knots of a function, and the one that the step is about. */
@@ -69,13 +70,16 @@ final class NumberSketches {
         List<Point2D> knots = new ArrayList<>();
         for (int i = 0; i < x.size(); i++)
             knots.add(new Point2D.Double(x.get(i).doubleValue(), y.path(i).doubleValue()));
-        var figures = new ArrayList<Figure>();
-        figures.add(new Path(knots, false, Look.DONE));
+        var figures = new ArrayList<BoardFigure>();
+        figures.add(new BoardPath(knots, false, FigureLook.DONE));
         int asked = walked.told().path("index").asInt(-1);
         for (int i = 0; i < knots.size(); i++)
             figures.add(
-                    new Dot(knots.get(i), String.valueOf(i), i == asked ? Look.ASKED : Look.GIVEN));
-        return new Board(Space.DEPTH, figures, new None());
+                    new BoardDot(
+                            knots.get(i),
+                            String.valueOf(i),
+                            i == asked ? FigureLook.ASKED : FigureLook.GIVEN));
+        return new Board(BoardSpace.DEPTH, figures, new NoPick());
     }
 
     /** Texels with their numbers, from below, and the point that is looked up among them. */
@@ -84,25 +88,28 @@ final class NumberSketches {
         JsonNode at = walked.input().path("pixels").path(0);
         int rows = picture.size();
         int columns = picture.path(0).size();
-        var figures = new ArrayList<Figure>();
+        var figures = new ArrayList<BoardFigure>();
         for (int row = 0; row < rows; row++)
             for (int column = 0; column < columns; column++) {
                 String level = picture.get(rows - 1 - row).get(column).asText();
-                figures.add(texel(column, row, Look.WALL));
+                figures.add(texel(column, row, FigureLook.WALL));
                 figures.add(
-                        new Dot(new Point2D.Double(column + 0.5, row + 0.5), level, Look.GIVEN));
+                        new BoardDot(
+                                new Point2D.Double(column + 0.5, row + 0.5),
+                                level,
+                                FigureLook.GIVEN));
             }
         for (int i = 0; i < walked.steps().size(); i++)
             add(figures, walked.steps().get(i), walked.look(i));
-        add(figures, walked.told(), Look.ASKED);
+        add(figures, walked.told(), FigureLook.ASKED);
         var place =
                 new Point2D.Double(
                         at.path(0).doubleValue() * columns, at.path(1).doubleValue() * rows);
-        figures.add(new Dot(place, "", Look.NEWEST));
-        return new Board(Space.PLANE, figures, new None());
+        figures.add(new BoardDot(place, "", FigureLook.NEWEST));
+        return new Board(BoardSpace.PLANE, figures, new NoPick());
     }
 
-    private static void add(List<Figure> figures, JsonNode step, Look look) {
+    private static void add(List<BoardFigure> figures, JsonNode step, FigureLook look) {
         if (step.path("column").isNumber())
             figures.add(
                     texel(
@@ -111,8 +118,8 @@ final class NumberSketches {
                             look));
     }
 
-    private static Path texel(int column, int row, Look look) {
-        return new Path(
+    private static BoardPath texel(int column, int row, FigureLook look) {
+        return new BoardPath(
                 List.of(
                         new Point2D.Double(column, row),
                         new Point2D.Double(column + 1, row),
@@ -129,23 +136,24 @@ final class NumberSketches {
         JsonNode left = whole;
         for (JsonNode step : walked.steps())
             if (step.path("segment").size() == 6) left = step.path("segment");
-        var figures = new ArrayList<Figure>();
+        var figures = new ArrayList<BoardFigure>();
         figures.add(
-                new Path(
+                new BoardPath(
                         List.of(
                                 new Point2D.Double(-near, near),
                                 new Point2D.Double(near, near),
                                 new Point2D.Double(1, 1),
                                 new Point2D.Double(-1, 1)),
                         true,
-                        Look.GIVEN));
+                        FigureLook.GIVEN));
         for (int axis = 0; axis < 2; axis++) {
             String name = axis == 0 ? "x" : "y";
-            figures.add(new Path(side(whole, axis), false, Look.DONE));
-            figures.add(new Path(side(left, axis), false, Look.NEWEST));
-            for (Point2D end : side(left, axis)) figures.add(new Dot(end, name, Look.NEWEST));
+            figures.add(new BoardPath(side(whole, axis), false, FigureLook.DONE));
+            figures.add(new BoardPath(side(left, axis), false, FigureLook.NEWEST));
+            for (Point2D end : side(left, axis))
+                figures.add(new BoardDot(end, name, FigureLook.NEWEST));
         }
-        return new Board(Space.PLANE, figures, new None());
+        return new Board(BoardSpace.PLANE, figures, new NoPick());
     }
 
     /** A segment's x or y to the right, its z upward. */

@@ -4,14 +4,14 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.practice.Board.Cell;
-import rasterlab.app.practice.Board.Dot;
-import rasterlab.app.practice.Board.Figure;
-import rasterlab.app.practice.Board.Look;
-import rasterlab.app.practice.Board.None;
-import rasterlab.app.practice.Board.Path;
-import rasterlab.app.practice.Board.Pixel;
-import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Board.BoardCell;
+import rasterlab.app.practice.Board.BoardDot;
+import rasterlab.app.practice.Board.BoardFigure;
+import rasterlab.app.practice.Board.BoardPath;
+import rasterlab.app.practice.Board.BoardSpace;
+import rasterlab.app.practice.Board.FigureLook;
+import rasterlab.app.practice.Board.NoPick;
+import rasterlab.app.practice.Board.PixelPick;
 import rasterlab.app.practice.Sketch.Walked;
 
 /** Figures that are drawn pixel by pixel: the next one is clicked. */
@@ -26,7 +26,7 @@ final class PixelSketches {
                 List.of(
                         QuestionPoints.of(walked.input().path("from")),
                         QuestionPoints.of(walked.input().path("to")));
-        return board(walked, "x", "y", new Path(ends, false, Look.GIVEN));
+        return board(walked, "x", "y", new BoardPath(ends, false, FigureLook.GIVEN));
     }
 
     /** The octant from (0, r), in u and v from the center. */
@@ -44,42 +44,42 @@ final class PixelSketches {
 
     /** Triangles in a depth buffer, and the pixel whose depth is asked for. */
     static Board depths(Walked walked) {
-        var figures = new ArrayList<Figure>();
+        var figures = new ArrayList<BoardFigure>();
         JsonNode size = walked.input().path("size");
         figures.add(RowSketches.border(size.path(0).intValue(), size.path(1).intValue()));
         for (int i = 0; i < walked.steps().size(); i++)
             figures.add(cell(walked.steps().get(i), "x", "y", walked.look(i)));
         if (walked.told().path("x").isNumber())
-            figures.add(cell(walked.told(), "x", "y", Look.ASKED));
+            figures.add(cell(walked.told(), "x", "y", FigureLook.ASKED));
         int number = 1;
         for (JsonNode triangle : walked.input().path("triangles")) {
             List<Point2D> corners = QuestionPoints.all(triangle);
-            figures.add(new Path(corners, true, Look.GIVEN));
-            figures.add(new Dot(corners.get(2), String.valueOf(number++), Look.GIVEN));
+            figures.add(new BoardPath(corners, true, FigureLook.GIVEN));
+            figures.add(new BoardDot(corners.get(2), String.valueOf(number++), FigureLook.GIVEN));
         }
-        return new Board(Space.PIXELS, figures, new None());
+        return new Board(BoardSpace.PIXELS, figures, new NoPick());
     }
 
     /** An arc that begins on the axis of v and turns by the angle. */
-    private static Path arc(double rx, double ry, double angle) {
+    private static BoardPath arc(double rx, double ry, double angle) {
         var points = new ArrayList<Point2D>();
         for (int i = 0; i <= CHORDS; i++) {
             double at = angle * i / CHORDS;
             points.add(new Point2D.Double(rx * Math.sin(at), ry * Math.cos(at)));
         }
-        return new Path(points, false, Look.GIVEN);
+        return new BoardPath(points, false, FigureLook.GIVEN);
     }
 
-    private static Board board(Walked walked, String x, String y, Path exact) {
-        var figures = new ArrayList<Figure>();
+    private static Board board(Walked walked, String x, String y, BoardPath exact) {
+        var figures = new ArrayList<BoardFigure>();
         for (int i = 0; i < walked.steps().size(); i++)
             figures.add(cell(walked.steps().get(i), x, y, walked.look(i)));
-        walked.wrong().ifPresent(answer -> figures.add(cell(answer, x, y, Look.WRONG)));
+        walked.wrong().ifPresent(answer -> figures.add(cell(answer, x, y, FigureLook.WRONG)));
         figures.add(exact);
-        return new Board(Space.PIXELS, figures, new Pixel(x, y));
+        return new Board(BoardSpace.PIXELS, figures, new PixelPick(x, y));
     }
 
-    private static Cell cell(JsonNode step, String x, String y, Look look) {
-        return new Cell(step.path(x).intValue(), step.path(y).intValue(), look);
+    private static BoardCell cell(JsonNode step, String x, String y, FigureLook look) {
+        return new BoardCell(step.path(x).intValue(), step.path(y).intValue(), look);
     }
 }

@@ -311,8 +311,8 @@ final class PracticePanel extends JPanel implements Settling, HasHelp {
 
     /** The meaning of a click in the picture, in words. */
     private String hint(Optional<Board> board, boolean graded) {
-        return board.map(each -> each.picking().getClass().getSimpleName().toLowerCase())
-                .map(kind -> "hint." + kind)
+        return board.map(each -> each.picking().getClass().getSimpleName())
+                .map(pick -> "hint." + pick.replace("Pick", "").toLowerCase())
                 .map(key -> graded && texts.has(key + ".graded") ? key + ".graded" : key)
                 .map(key -> texts.textOr(key, ""))
                 .orElse("");

@@ -30,10 +30,10 @@ import rasterlab.app.canvas.StageColors;
 import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.canvas.Zooming;
 import rasterlab.app.language.Texts;
-import rasterlab.app.practice.Board.Cell;
-import rasterlab.app.practice.Board.Look;
+import rasterlab.app.practice.Board.BoardCell;
+import rasterlab.app.practice.Board.FigureLook;
 import rasterlab.app.practice.Board.Picking;
-import rasterlab.app.practice.Board.Run;
+import rasterlab.app.practice.Board.RunPick;
 
 /**
  * The picture of a question, where the answer is clicked. By the keyboard a frame goes from pixel
@@ -116,8 +116,8 @@ final class PracticeStage extends SelfDrawn {
     /** Where the walk is now; where it begins, if no step is made. */
     private static Point newest(Board board) {
         var found = new Point();
-        for (Board.Figure figure : board.figures())
-            if (figure instanceof Cell cell && cell.look() == Look.NEWEST)
+        for (Board.BoardFigure figure : board.figures())
+            if (figure instanceof BoardCell cell && cell.look() == FigureLook.NEWEST)
                 found = new Point(cell.x(), cell.y());
         return found;
     }
@@ -135,7 +135,7 @@ final class PracticeStage extends SelfDrawn {
             picked.accept(StagePick.NOTHING);
             return;
         }
-        if (begun.isEmpty() && board.orElseThrow().picking() instanceof Run) {
+        if (begun.isEmpty() && board.orElseThrow().picking() instanceof RunPick) {
             begun = Optional.of(cursor);
             repaint();
         } else end();
@@ -246,7 +246,7 @@ final class PracticeStage extends SelfDrawn {
             last = e.getPoint();
             if (board.isEmpty() || !asking || !isLeft(e)) return;
             point(e);
-            if (board.get().picking() instanceof Run) begun = Optional.of(cursor);
+            if (board.get().picking() instanceof RunPick) begun = Optional.of(cursor);
         }
 
         @Override
@@ -310,7 +310,7 @@ final class PracticeStage extends SelfDrawn {
                                 frame.map().pointedX(e.getX()),
                                 frame.map().pointedY(e.getY()),
                                 texts.locale()));
-            pointed.setVisible(frame.space() != Board.Space.SPACE);
+            pointed.setVisible(frame.space() != Board.BoardSpace.SPACE);
         }
     }
 }

@@ -22,8 +22,8 @@ interface Sketch {
         }
 
         /** The look of a step; the newest is told apart. */
-        Board.Look look(int step) {
-            return step == steps.size() - 1 ? Board.Look.NEWEST : Board.Look.DONE;
+        Board.FigureLook look(int step) {
+            return step == steps.size() - 1 ? Board.FigureLook.NEWEST : Board.FigureLook.DONE;
         }
     }
 }

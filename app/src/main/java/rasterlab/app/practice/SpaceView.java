@@ -4,10 +4,10 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.practice.Board.Dot;
-import rasterlab.app.practice.Board.Figure;
-import rasterlab.app.practice.Board.Look;
-import rasterlab.app.practice.Board.Path;
+import rasterlab.app.practice.Board.BoardDot;
+import rasterlab.app.practice.Board.BoardFigure;
+import rasterlab.app.practice.Board.BoardPath;
+import rasterlab.app.practice.Board.FigureLook;
 
 /**
  * Space in a picture: y to the right and z upward to one scale, x to the lower left, half as long.
@@ -32,34 +32,34 @@ final class SpaceView {
     }
 
     /** An arrow from a point as far as a vector goes, times a factor. */
-    static Path arrow(JsonNode from, JsonNode vector, double factor, Look look) {
+    static BoardPath arrow(JsonNode from, JsonNode vector, double factor, FigureLook look) {
         Point2D end =
                 at(
                         number(from, 0) + factor * number(vector, 0),
                         number(from, 1) + factor * number(vector, 1),
                         number(from, 2) + factor * number(vector, 2));
-        return new Path(List.of(at(from), end), false, look);
+        return new BoardPath(List.of(at(from), end), false, look);
     }
 
     /** The axes, from the origin as far as what is drawn. */
-    static List<Figure> axes(double reach) {
-        var figures = new ArrayList<Figure>();
+    static List<BoardFigure> axes(double reach) {
+        var figures = new ArrayList<BoardFigure>();
         addAxis(figures, "x", at(reach, 0, 0));
         addAxis(figures, "y", at(0, reach, 0));
         addAxis(figures, "z", at(0, 0, reach));
         return figures;
     }
 
-    private static void addAxis(List<Figure> figures, String name, Point2D end) {
-        figures.add(new Path(List.of(new Point2D.Double(), end), false, Look.WALL));
-        figures.add(new Dot(end, name, Look.WALL));
+    private static void addAxis(List<BoardFigure> figures, String name, Point2D end) {
+        figures.add(new BoardPath(List.of(new Point2D.Double(), end), false, FigureLook.WALL));
+        figures.add(new BoardDot(end, name, FigureLook.WALL));
     }
 
     /** A line from a point down or up to z = 0 and from there to the x axis, to tell its depth. */
-    static Path foot(JsonNode point) {
+    static BoardPath foot(JsonNode point) {
         double x = number(point, 0);
         double y = number(point, 1);
-        return new Path(List.of(at(point), at(x, y, 0), at(x, 0, 0)), false, Look.WALL);
+        return new BoardPath(List.of(at(point), at(x, y, 0), at(x, 0, 0)), false, FigureLook.WALL);
     }
 
     /** The largest coordinate in size of points [[x, y, z], …]; 1 at least. */

@@ -7,10 +7,10 @@ import java.awt.geom.Point2D;
 import java.util.Optional;
 import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.PlaneMap;
-import rasterlab.app.practice.Board.Named;
+import rasterlab.app.practice.Board.NamedPick;
 import rasterlab.app.practice.Board.Picking;
-import rasterlab.app.practice.Board.Pixel;
-import rasterlab.app.practice.Board.Run;
+import rasterlab.app.practice.Board.PixelPick;
+import rasterlab.app.practice.Board.RunPick;
 import rasterlab.app.practice.Board.Target;
 
 /**
@@ -30,7 +30,7 @@ record StagePick(ObjectNode answer, double tolerance) {
 
     /** Whether the pixels of the board are clicked. */
     static boolean isOfPixels(Picking picking) {
-        return picking instanceof Pixel || picking instanceof Run;
+        return picking instanceof PixelPick || picking instanceof RunPick;
     }
 
     /**
@@ -41,8 +41,8 @@ record StagePick(ObjectNode answer, double tolerance) {
      */
     static StagePick pixels(Picking picking, Point from, Point to) {
         ObjectNode answer = JsonNodeFactory.instance.objectNode();
-        if (picking instanceof Pixel pixel) answer.put(pixel.x(), to.x).put(pixel.y(), to.y);
-        if (picking instanceof Run run) {
+        if (picking instanceof PixelPick pixel) answer.put(pixel.x(), to.x).put(pixel.y(), to.y);
+        if (picking instanceof RunPick run) {
             if (!run.row().isEmpty()) answer.put(run.row(), from.y);
             answer.put(run.from(), Math.min(from.x, to.x));
             answer.put(run.to(), Math.max(from.x, to.x) + 1);
@@ -53,11 +53,11 @@ record StagePick(ObjectNode answer, double tolerance) {
     /** The answer of a click in a plane; empty where it means nothing. */
     static Optional<StagePick> plane(Picking picking, PlaneMap map, Point view) {
         ObjectNode answer = JsonNodeFactory.instance.objectNode();
-        if (picking instanceof Board.Point point) {
+        if (picking instanceof Board.PointPick point) {
             answer.put(point.x(), map.pointedX(view.x)).put(point.y(), map.pointedY(view.y));
             return Optional.of(new StagePick(answer, map.worldWidth(PictureType.scaled(HAND))));
         }
-        if (!(picking instanceof Named named)) return Optional.empty();
+        if (!(picking instanceof NamedPick named)) return Optional.empty();
         double nearest = PictureType.scaled(REACH);
         for (Target target : named.targets())
             for (Point2D each : target.points()) {

@@ -35,19 +35,19 @@ final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {
     }
 
     @Override
-    List<RowScene.Band> right(DepthRows rows, StoredDepths exact) {
+    List<RowScene.ColorBand> right(DepthRows rows, StoredDepths exact) {
         return List.of(band("right", rows, exact::front));
     }
 
     @Override
-    List<RowScene.Band> made(DepthRows rows, StoredDepths actual) {
+    List<RowScene.ColorBand> made(DepthRows rows, StoredDepths actual) {
         return List.of(
                 band("inOrder", rows, actual::front),
                 band("backwards", rows, pixel -> lastFront(actual, pixel)));
     }
 
-    private static RowScene.Band band(String key, DepthRows rows, IntUnaryOperator surface) {
-        return new RowScene.Band(
+    private static RowScene.ColorBand band(String key, DepthRows rows, IntUnaryOperator surface) {
+        return new RowScene.ColorBand(
                 key,
                 IntStream.range(0, rows.pixels())
                         .map(pixel -> COLORS[surface.applyAsInt(pixel) % COLORS.length])
@@ -92,23 +92,23 @@ final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {
     }
 
     @Override
-    RowScene.Numbers numbers(
+    RowScene.PixelNumbers numbers(
             DepthRows rows, StoredDepths exact, Optional<StoredDepths> actual, int pixel) {
         var headings = new ArrayList<>(List.of("surface", "depth"));
         if (actual.isPresent()) headings.addAll(List.of("code", "storedDepth"));
-        var lines = new ArrayList<RowScene.Line>();
+        var lines = new ArrayList<RowScene.NumberRow>();
         for (int s = 0; s < rows.surfaces(); s++) {
             String name = String.valueOf(s + 1);
             double z = depth(exact, s, pixel);
             lines.add(
                     actual.isEmpty()
-                            ? new RowScene.Line(name, z)
-                            : new RowScene.Line(
+                            ? new RowScene.NumberRow(name, z)
+                            : new RowScene.NumberRow(
                                     name,
                                     z,
                                     code(actual.get(), s, pixel),
                                     depth(actual.get(), s, pixel)));
         }
-        return new RowScene.Numbers(headings, lines);
+        return new RowScene.PixelNumbers(headings, lines);
     }
 }

@@ -36,17 +36,17 @@ final class DepthTriangleKind
     }
 
     @Override
-    List<RowScene.Band> right(DepthTriangles input, DepthTriangles.TrianglePicture exact) {
+    List<RowScene.ColorBand> right(DepthTriangles input, DepthTriangles.TrianglePicture exact) {
         return List.of(band("right", exact));
     }
 
     @Override
-    List<RowScene.Band> made(DepthTriangles input, DepthTriangles.TrianglePicture actual) {
+    List<RowScene.ColorBand> made(DepthTriangles input, DepthTriangles.TrianglePicture actual) {
         return List.of(band("method", actual));
     }
 
-    private static RowScene.Band band(String key, DepthTriangles.TrianglePicture picture) {
-        return new RowScene.Band(
+    private static RowScene.ColorBand band(String key, DepthTriangles.TrianglePicture picture) {
+        return new RowScene.ColorBand(
                 key,
                 IntStream.of(picture.shown()).map(DepthTriangleKind::color).toArray(),
                 pixel -> picture.shown()[pixel] == 0 ? "" : "" + picture.shown()[pixel]);
@@ -76,14 +76,14 @@ final class DepthTriangleKind
     }
 
     @Override
-    RowScene.Numbers numbers(
+    RowScene.PixelNumbers numbers(
             DepthTriangles input,
             DepthTriangles.TrianglePicture exact,
             Optional<DepthTriangles.TrianglePicture> actual,
             int pixel) {
         int x = pixel % input.width();
         int y = pixel / input.width();
-        return RowScene.Numbers.of(
+        return RowScene.PixelNumbers.of(
                 List.of("x", "y", "№", "z"),
                 new double[] {x, y, exact.shown()[pixel], exact.depths()[pixel]},
                 actual.map(made -> new double[] {x, y, made.shown()[pixel], made.depths()[pixel]}));

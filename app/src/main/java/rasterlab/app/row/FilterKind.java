@@ -60,18 +60,18 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
     }
 
     @Override
-    List<RowScene.Band> right(FilteredPixels pixels, double[] exact) {
+    List<RowScene.ColorBand> right(FilteredPixels pixels, double[] exact) {
         return List.of(band("right", exact));
     }
 
     @Override
-    List<RowScene.Band> made(FilteredPixels pixels, double[] actual) {
+    List<RowScene.ColorBand> made(FilteredPixels pixels, double[] actual) {
         return List.of(band("method", actual));
     }
 
     /** Levels are alpha, red, green and blue of each pixel. */
-    private static RowScene.Band band(String key, double[] levels) {
-        return new RowScene.Band(
+    private static RowScene.ColorBand band(String key, double[] levels) {
+        return new RowScene.ColorBand(
                 key,
                 IntStream.range(0, levels.length / 4)
                         .map(
@@ -101,25 +101,26 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
     }
 
     @Override
-    RowScene.Numbers numbers(
+    RowScene.PixelNumbers numbers(
             FilteredPixels pixels, double[] exact, Optional<double[]> actual, int pixel) {
         var headings = new ArrayList<>(List.of("channel", "right"));
         if (actual.isPresent()) headings.add("method");
-        var lines = new ArrayList<RowScene.Line>();
+        var lines = new ArrayList<RowScene.NumberRow>();
         for (int c = 1; c < CHANNELS.length; c++) {
             double right = exact[4 * pixel + c];
             lines.add(
                     actual.isEmpty()
-                            ? new RowScene.Line(CHANNELS[c], right)
-                            : new RowScene.Line(CHANNELS[c], right, actual.get()[4 * pixel + c]));
+                            ? new RowScene.NumberRow(CHANNELS[c], right)
+                            : new RowScene.NumberRow(
+                                    CHANNELS[c], right, actual.get()[4 * pixel + c]));
         }
-        return new RowScene.Numbers(headings, lines);
+        return new RowScene.PixelNumbers(headings, lines);
     }
 
     @Override
-    Optional<RowScene.Image> image(FilteredPixels pixels) {
+    Optional<RowScene.FilteredImage> image(FilteredPixels pixels) {
         return Optional.of(
-                new RowScene.Image(
+                new RowScene.FilteredImage(
                         pixels.width(), pixels.height(), pixels.argb(), pixels.footprints()));
     }
 }

@@ -27,13 +27,13 @@ final class FootprintPainter {
     private static final double[][] CORNERS = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
 
     private final Graphics2D g;
-    private final RowScene.Image image;
+    private final RowScene.FilteredImage image;
     private final BufferedImage texels;
 
     /** s, t of its middle, within the picture, and ds/dx, dt/dx, ds/dy, dt/dy. */
     private final double[] footprint;
 
-    FootprintPainter(Graphics2D g, RowScene.Image image, int pixel) {
+    FootprintPainter(Graphics2D g, RowScene.FilteredImage image, int pixel) {
         this.g = g;
         this.image = image;
         texels = texels(image);
@@ -44,7 +44,7 @@ final class FootprintPainter {
     }
 
     /** The bottom row of texels lies at the bottom. */
-    private static BufferedImage texels(RowScene.Image image) {
+    private static BufferedImage texels(RowScene.FilteredImage image) {
         int width = image.width();
         int height = image.height();
         var texels = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);

@@ -49,17 +49,17 @@ final class MappingKind extends RowKind<TextureMapper, TexturedSpan, Images> {
     }
 
     @Override
-    List<RowScene.Band> right(TexturedSpan span, Images exact) {
+    List<RowScene.ColorBand> right(TexturedSpan span, Images exact) {
         return List.of(band("right", exact));
     }
 
     @Override
-    List<RowScene.Band> made(TexturedSpan span, Images actual) {
+    List<RowScene.ColorBand> made(TexturedSpan span, Images actual) {
         return List.of(band("method", actual));
     }
 
-    private RowScene.Band band(String key, Images st) {
-        return new RowScene.Band(
+    private RowScene.ColorBand band(String key, Images st) {
+        return new RowScene.ColorBand(
                 key,
                 IntStream.range(0, st.size())
                         .map(
@@ -83,8 +83,9 @@ final class MappingKind extends RowKind<TextureMapper, TexturedSpan, Images> {
     }
 
     @Override
-    RowScene.Numbers numbers(TexturedSpan span, Images exact, Optional<Images> actual, int pixel) {
-        return RowScene.Numbers.of(
+    RowScene.PixelNumbers numbers(
+            TexturedSpan span, Images exact, Optional<Images> actual, int pixel) {
+        return RowScene.PixelNumbers.of(
                 List.of("s", "t"), place(exact, pixel), actual.map(made -> place(made, pixel)));
     }
 

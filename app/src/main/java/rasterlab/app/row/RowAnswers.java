@@ -28,7 +28,7 @@ final class RowAnswers<C, I, O> {
     /**
      * @param actual empty where the method refused or crashed, of which the verdict tells why
      */
-    record Answer<O>(O exact, Optional<O> actual, Verdict verdict) {}
+    record RowAnswer<O>(O exact, Optional<O> actual, Verdict verdict) {}
 
     RowAnswers(Topic<C, I, O> topic) {
         this.topic = topic;
@@ -43,13 +43,13 @@ final class RowAnswers<C, I, O> {
     /**
      * @throws IllegalArgumentException if there is no such method
      */
-    Answer<O> answer(Hazard<I> hazard, String method) {
+    RowAnswer<O> answer(Hazard<I> hazard, String method) {
         O exact = right(hazard);
         C implementation = topic.method(method).implementation();
         try {
             O actual = topic.record(implementation, hazard.input(), Integer.MAX_VALUE);
             Deviation deviation = topic.compare(hazard.input(), exact, actual);
-            return new Answer<>(exact, Optional.of(actual), verdict(deviation));
+            return new RowAnswer<>(exact, Optional.of(actual), verdict(deviation));
         } catch (NoAnswer none) {
             return without(exact, none.kind(), none.getMessage());
         } catch (WrongLength length) {
@@ -62,8 +62,8 @@ final class RowAnswers<C, I, O> {
         }
     }
 
-    private static <O> Answer<O> without(O exact, Verdict.Kind kind, String detail) {
-        return new Answer<>(exact, Optional.empty(), new Verdict(kind, Deviation.NONE, detail));
+    private static <O> RowAnswer<O> without(O exact, Verdict.Kind kind, String detail) {
+        return new RowAnswer<>(exact, Optional.empty(), new Verdict(kind, Deviation.NONE, detail));
     }
 
     private Verdict verdict(Deviation deviation) {

@@ -40,7 +40,7 @@ final class RowInspector {
     private final AboutText about;
 
     /** The numbers that were shown last. */
-    private RowScene.Numbers read = new RowScene.Numbers(List.of(), List.of());
+    private RowScene.PixelNumbers read = new RowScene.PixelNumbers(List.of(), List.of());
 
     /**
      * @param modes of the tab, the labs' names in its texts
@@ -122,20 +122,20 @@ final class RowInspector {
         wrong.setText(UNKNOWN);
     }
 
-    private void showNumbers(Function<RowScene.Line, List<String>> cells) {
+    private void showNumbers(Function<RowScene.NumberRow, List<String>> cells) {
         numbers.show(
                 read.headings().stream().map(key -> texts.text("column." + key)).toList(),
                 read.lines().stream().map(cells).toList(),
                 -1);
     }
 
-    private static List<String> unknown(RowScene.Line line) {
+    private static List<String> unknown(RowScene.NumberRow line) {
         var cells = new ArrayList<>(Collections.nCopies(line.values().length + 1, UNKNOWN));
         cells.set(0, line.name());
         return cells;
     }
 
-    private List<String> line(RowScene.Line line) {
+    private List<String> line(RowScene.NumberRow line) {
         var cells = new ArrayList<String>();
         cells.add(line.name());
         int digits = line.values().length < 3 ? DIGITS : FEWER;

@@ -35,16 +35,16 @@ abstract class RowKind<C, I, O> {
 
     abstract int pixels(I input);
 
-    abstract List<RowScene.Band> right(I input, O exact);
+    abstract List<RowScene.ColorBand> right(I input, O exact);
 
-    abstract List<RowScene.Band> made(I input, O actual);
+    abstract List<RowScene.ColorBand> made(I input, O actual);
 
     /** The error of a pixel in the topic's unit. */
     abstract double error(I input, O exact, O actual, int pixel);
 
     abstract boolean wrong(I input, O exact, O actual, int pixel);
 
-    abstract RowScene.Numbers numbers(I input, O exact, Optional<O> actual, int pixel);
+    abstract RowScene.PixelNumbers numbers(I input, O exact, Optional<O> actual, int pixel);
 
     /** The input as {@code ./lab run} reads it. */
     String json(I input) {
@@ -66,7 +66,7 @@ abstract class RowKind<C, I, O> {
         return json(hazard(hazard).input());
     }
 
-    Optional<RowScene.Image> image(I input) {
+    Optional<RowScene.FilteredImage> image(I input) {
         return Optional.empty();
     }
 
@@ -77,7 +77,7 @@ abstract class RowKind<C, I, O> {
      */
     final RowScene scene(RowChoice choice) {
         Hazard<I> hazard = hazard(choice.hazard());
-        RowAnswers.Answer<O> answer = answers.answer(hazard, choice.method());
+        RowAnswers.RowAnswer<O> answer = answers.answer(hazard, choice.method());
         return answer.actual()
                 .map(actual -> scene(hazard.input(), actual, answer))
                 .orElseGet(() -> without(hazard.input(), answer));
@@ -107,7 +107,7 @@ abstract class RowKind<C, I, O> {
         answers.right(hazard(hazard));
     }
 
-    private RowScene scene(I input, O actual, RowAnswers.Answer<O> answer) {
+    private RowScene scene(I input, O actual, RowAnswers.RowAnswer<O> answer) {
         O exact = answer.exact();
         var bands = new ArrayList<>(right(input, exact));
         bands.addAll(made(input, actual));
@@ -127,7 +127,7 @@ abstract class RowKind<C, I, O> {
                 image(input));
     }
 
-    private RowScene without(I input, RowAnswers.Answer<O> answer) {
+    private RowScene without(I input, RowAnswers.RowAnswer<O> answer) {
         return new RowScene(
                 right(input, answer.exact()),
                 new boolean[0],

@@ -58,7 +58,7 @@ final class RowPainter {
             return;
         }
         int y = MARGIN;
-        for (RowScene.Band band : scene.bands()) {
+        for (RowScene.ColorBand band : scene.bands()) {
             y = say(name(band), y);
             band(band, y, high);
             words(band, y + high / 2 + metrics.getAscent() / 2);
@@ -78,12 +78,12 @@ final class RowPainter {
         boolean answered = scene.errors().length > 0;
         int parts = scene.bands().size() + (answered ? 1 : 0);
         int words = said(answered ? errorWords() : failureWords());
-        for (RowScene.Band band : scene.bands()) words += said(name(band));
+        for (RowScene.ColorBand band : scene.bands()) words += said(name(band));
         int room = plan.height() - 2 * MARGIN - words - MARK - scene.bands().size() * GAP;
         return Math.min(room / parts, (plan.height() - 2 * MARGIN) / 3);
     }
 
-    private String name(RowScene.Band band) {
+    private String name(RowScene.ColorBand band) {
         return texts.text("band." + band.key(), OwnWords.called(choice.method(), texts.language()));
     }
 
@@ -92,7 +92,7 @@ final class RowPainter {
         int step = plan.height() / scene.bands().size();
         int high = Math.max(1, step - 4);
         int y = 2;
-        for (RowScene.Band band : scene.bands()) {
+        for (RowScene.ColorBand band : scene.bands()) {
             band(band, y, high);
             chosen(y, high);
             y += step;
@@ -124,7 +124,7 @@ final class RowPainter {
         return MARGIN + wide * pixel / scene.pixels();
     }
 
-    private void band(RowScene.Band band, int y, int high) {
+    private void band(RowScene.ColorBand band, int y, int high) {
         var row = new BufferedImage(scene.pixels(), 1, BufferedImage.TYPE_INT_ARGB);
         row.setRGB(0, 0, scene.pixels(), 1, band.argb(), 0, scene.pixels());
         g.setRenderingHint(
@@ -140,7 +140,7 @@ final class RowPainter {
      * Writes words in the middle of each run of pixels with the same words, if it has room for
      * them.
      */
-    private void words(RowScene.Band band, int base) {
+    private void words(RowScene.ColorBand band, int base) {
         int from = 0;
         for (int i = 1; i <= scene.pixels(); i++) {
             String words = band.words().apply(from);
@@ -233,7 +233,7 @@ final class RowPainter {
     }
 
     /** Draws the picture, and below it the chosen pixel's footprint, as large as both fit. */
-    private void pictures(RowScene.Image image) {
+    private void pictures(RowScene.FilteredImage image) {
         String whole = texts.text("picture", image.width(), image.height());
         String enlarged = texts.text("footprint");
         int left = plan.columnLeft();

@@ -16,20 +16,20 @@ import rasterlab.engine.study.Verdict;
  * @param image what a filter makes smaller or larger; empty for other topics
  */
 record RowScene(
-        List<Band> bands,
+        List<ColorBand> bands,
         boolean[] wrong,
         double[] errors,
         Verdict verdict,
-        IntFunction<Numbers> numbers,
-        Optional<Image> image) {
+        IntFunction<PixelNumbers> numbers,
+        Optional<FilteredImage> image) {
     /**
      * @param key of its name
      * @param argb of each pixel, 0xAARRGGBB
      * @param words of each pixel, written where there is room
      */
-    record Band(String key, int[] argb, IntFunction<String> words) {
+    record ColorBand(String key, int[] argb, IntFunction<String> words) {
         /** Colours that speak for themselves. */
-        Band(String key, int[] argb) {
+        ColorBand(String key, int[] argb) {
             this(key, argb, pixel -> "");
         }
     }
@@ -37,32 +37,32 @@ record RowScene(
     /**
      * @param headings keys of the columns
      */
-    record Numbers(List<String> headings, List<Line> lines) {
+    record PixelNumbers(List<String> headings, List<NumberRow> lines) {
         /**
          * Coordinates as they are right, beside those of a method.
          *
          * @param made by the method; empty where it gave no answer
          */
-        static Numbers of(List<String> names, double[] right, Optional<double[]> made) {
+        static PixelNumbers of(List<String> names, double[] right, Optional<double[]> made) {
             var headings = new ArrayList<>(List.of("coordinate", "right"));
             if (made.isPresent()) headings.add("method");
-            var lines = new ArrayList<Line>();
+            var lines = new ArrayList<NumberRow>();
             for (int i = 0; i < right.length; i++)
                 lines.add(
                         made.isEmpty()
-                                ? new Line(names.get(i), right[i])
-                                : new Line(names.get(i), right[i], made.get()[i]));
-            return new Numbers(headings, lines);
+                                ? new NumberRow(names.get(i), right[i])
+                                : new NumberRow(names.get(i), right[i], made.get()[i]));
+            return new PixelNumbers(headings, lines);
         }
     }
 
-    record Line(String name, double... values) {}
+    record NumberRow(String name, double... values) {}
 
     /**
      * @param argb row by row, the bottom row first
      * @param footprints s, t, ds/dx, dt/dx, ds/dy, dt/dy of each pixel
      */
-    record Image(int width, int height, int[] argb, double[] footprints) {}
+    record FilteredImage(int width, int height, int[] argb, double[] footprints) {}
 
     int pixels() {
         return bands.get(0).argb().length;

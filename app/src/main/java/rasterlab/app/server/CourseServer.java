@@ -20,10 +20,11 @@ import rasterlab.exercises.document.OwnJson;
  */
 public final class CourseServer {
     /** How long the server may keep silent. */
-    public record Patience(Duration connecting, Duration answering, Duration quiet) {
+    public record ServerTimeouts(Duration connecting, Duration answering, Duration quiet) {
         /** Events come at least each 15 seconds, if only to say that there is nothing new. */
-        public static final Patience USUAL =
-                new Patience(Duration.ofSeconds(5), Duration.ofSeconds(20), Duration.ofSeconds(45));
+        public static final ServerTimeouts USUAL =
+                new ServerTimeouts(
+                        Duration.ofSeconds(5), Duration.ofSeconds(20), Duration.ofSeconds(45));
     }
 
     /** The code of the refusal of what is handed in late. */
@@ -33,10 +34,10 @@ public final class CourseServer {
     private static final String PROBLEM = "urn:rasterlab:problem:";
 
     private final URI server;
-    private final Patience patience;
+    private final ServerTimeouts patience;
     private final HttpClient http;
 
-    public CourseServer(URI server, Patience patience) {
+    public CourseServer(URI server, ServerTimeouts patience) {
         this.server = server;
         this.patience = patience;
         http = HttpClient.newBuilder().connectTimeout(patience.connecting()).build();

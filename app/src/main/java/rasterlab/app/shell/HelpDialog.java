@@ -44,7 +44,7 @@ final class HelpDialog extends JDialog {
             var heading = new JLabel(section.heading());
             heading.putClientProperty("FlatLaf.styleClass", "h4");
             rows.add(heading, "span 2, gaptop " + (rows.getComponentCount() == 0 ? 0 : 10));
-            for (HelpText.Way way : section.ways()) {
+            for (HelpText.HelpEntry way : section.ways()) {
                 var by = new JLabel(way.by());
                 by.setFont(by.getFont().deriveFont(Font.BOLD));
                 rows.add(by, "aligny top");

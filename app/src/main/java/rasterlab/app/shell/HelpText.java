@@ -19,14 +19,14 @@ record HelpText(String title, List<Section> sections) {
     }
 
     /** Some ways under a heading. */
-    record Section(String heading, List<Way> ways) {
+    record Section(String heading, List<HelpEntry> ways) {
         Section {
             ways = List.copyOf(ways);
         }
     }
 
     /** A key or a movement of the mouse, and what it does. */
-    record Way(String by, String does) {}
+    record HelpEntry(String by, String does) {}
 
     /**
      * @param stage key of the stage that is seen in the tab; one that has no ways of its own has
@@ -35,8 +35,8 @@ record HelpText(String title, List<Section> sections) {
     static HelpText of(String tab, String stage, Language language) {
         Texts texts = Texts.of("shell", "help", language);
         String name = Texts.of("shell", language).text("tab." + tab);
-        List<Way> own = ways(texts, stage);
-        List<Way> ofTab = own.isEmpty() ? ways(texts, tab) : own;
+        List<HelpEntry> own = ways(texts, stage);
+        List<HelpEntry> ofTab = own.isEmpty() ? ways(texts, tab) : own;
         boolean asks = stage.equals(PracticeCards.HELP);
         var sections = new ArrayList<Section>();
         sections.add(new Section(texts.text(asks ? "heading.practice" : "heading.tab"), ofTab));
@@ -46,11 +46,11 @@ record HelpText(String title, List<Section> sections) {
         return new HelpText(texts.text("title", name), sections);
     }
 
-    private static List<Way> ways(Texts texts, String part) {
-        var ways = new ArrayList<Way>();
+    private static List<HelpEntry> ways(Texts texts, String part) {
+        var ways = new ArrayList<HelpEntry>();
         for (int i = 1; texts.has(part + "." + i + ".by"); i++) {
             String key = part + "." + i;
-            ways.add(new Way(texts.text(key + ".by"), texts.text(key + ".does")));
+            ways.add(new HelpEntry(texts.text(key + ".by"), texts.text(key + ".does")));
         }
         return ways;
     }

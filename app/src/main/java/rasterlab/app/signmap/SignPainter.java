@@ -35,7 +35,7 @@ final class SignPainter {
     }
 
     /** The meaning of a dot of the picture. */
-    enum Dot {
+    enum DotMeaning {
         PLUS,
         ZERO,
         MINUS,
@@ -61,20 +61,20 @@ final class SignPainter {
 
     private Color color(SignMap map, int column, int row, int x, int y) {
         int answer = map.answer(column, row);
-        if (answer == SignMap.NONE) return color(Dot.NONE, x, y);
+        if (answer == SignMap.NONE) return color(DotMeaning.NONE, x, y);
         Color own = color(dot(map, answer), x, y);
         if (!map.wrong(column, row)) return own;
-        Dot wrong = answer > map.exact(column, row) ? Dot.EXTRA : Dot.MISSING;
+        DotMeaning wrong = answer > map.exact(column, row) ? DotMeaning.EXTRA : DotMeaning.MISSING;
         return striped(wrong, x, y) ? MethodColors.VERMILLION : own;
     }
 
-    private static Dot dot(SignMap map, int answer) {
-        if (answer > 0) return Dot.PLUS;
-        return answer < 0 || map.yesOrNo() ? Dot.MINUS : Dot.ZERO;
+    private static DotMeaning dot(SignMap map, int answer) {
+        if (answer > 0) return DotMeaning.PLUS;
+        return answer < 0 || map.yesOrNo() ? DotMeaning.MINUS : DotMeaning.ZERO;
     }
 
     /** The colour of a dot at that place of a picture. */
-    Color color(Dot dot, int x, int y) {
+    Color color(DotMeaning dot, int x, int y) {
         return switch (dot) {
             case PLUS -> plus;
             case ZERO -> zero;
@@ -84,8 +84,8 @@ final class SignPainter {
         };
     }
 
-    private static boolean striped(Dot wrong, int x, int y) {
-        int along = wrong == Dot.EXTRA ? x + y : x - y;
+    private static boolean striped(DotMeaning wrong, int x, int y) {
+        int along = wrong == DotMeaning.EXTRA ? x + y : x - y;
         return Math.floorMod(along, PERIOD) < STRIPE;
     }
 }

@@ -13,7 +13,7 @@ import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.signmap.SignPainter.Dot;
+import rasterlab.app.signmap.SignPainter.DotMeaning;
 import rasterlab.engine.signmap.SignMap;
 
 /** Sign maps side by side, each with its name and the share that is wrong, above one legend. */
@@ -134,17 +134,23 @@ public final class SignSheet {
                 base + 2 * LINE);
     }
 
-    private List<Dot> legend() {
+    private List<DotMeaning> legend() {
         boolean signs = maps.stream().anyMatch(map -> !map.yesOrNo());
         boolean none = maps.stream().anyMatch(map -> map.unanswered() > 0);
-        var dots = new ArrayList<Dot>(List.of(Dot.PLUS, Dot.MINUS, Dot.EXTRA, Dot.MISSING));
-        if (signs) dots.add(2, Dot.ZERO);
-        if (none) dots.add(Dot.NONE);
+        var dots =
+                new ArrayList<DotMeaning>(
+                        List.of(
+                                DotMeaning.PLUS,
+                                DotMeaning.MINUS,
+                                DotMeaning.EXTRA,
+                                DotMeaning.MISSING));
+        if (signs) dots.add(2, DotMeaning.ZERO);
+        if (none) dots.add(DotMeaning.NONE);
         return dots;
     }
 
     private void paintLegend(Graphics2D g, int top) {
-        List<Dot> dots = legend();
+        List<DotMeaning> dots = legend();
         int column = (WIDTH - 2 * MARGIN) / 2;
         g.setFont(PLAIN);
         for (int i = 0; i < dots.size(); i++) {
@@ -164,7 +170,7 @@ public final class SignSheet {
         }
     }
 
-    private BufferedImage swatch(Dot dot) {
+    private BufferedImage swatch(DotMeaning dot) {
         var image = new BufferedImage(2 * SWATCH, SWATCH, BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < SWATCH; y++)
             for (int x = 0; x < 2 * SWATCH; x++)
@@ -172,7 +178,7 @@ public final class SignSheet {
         return image;
     }
 
-    private String words(Dot dot) {
+    private String words(DotMeaning dot) {
         boolean yes = maps.stream().allMatch(SignMap::yesOrNo);
         boolean signs = maps.stream().noneMatch(SignMap::yesOrNo);
         String asked = yes ? ".asked" : signs ? ".sign" : ".both";

@@ -31,13 +31,13 @@ public record CurveDrawing(
         double errorPixels,
         double allowedPixels,
         boolean right,
-        Ending ending,
+        CurveEnding ending,
         String message) {
     /** The most points that the lab draws of a curve. */
     public static final int LIMIT = 20_000;
 
     /** How the drawing came to its end. */
-    public enum Ending {
+    public enum CurveEnding {
         ENDED,
         /** The curve has more than {@link #LIMIT} points. */
         CUT,
@@ -79,13 +79,13 @@ public record CurveDrawing(
         try {
             for (int i = 0; i < curves.size(); i++)
                 making.add(i, sampling.task(curves.get(i)), exact.get(i));
-            return making.drawing(Ending.ENDED, "");
+            return making.drawing(CurveEnding.ENDED, "");
         } catch (LimitReached e) {
-            return making.drawing(Ending.CUT, e.getMessage());
+            return making.drawing(CurveEnding.CUT, e.getMessage());
         } catch (IllegalArgumentException e) {
-            return making.nothing(Ending.REFUSED, e.getMessage());
+            return making.nothing(CurveEnding.REFUSED, e.getMessage());
         } catch (RuntimeException e) {
-            return making.nothing(Ending.CRASHED, e.toString());
+            return making.nothing(CurveEnding.CRASHED, e.toString());
         }
     }
 
@@ -157,11 +157,11 @@ public record CurveDrawing(
             points.add(new Corner((index + t) / curves, x, y, decision));
         }
 
-        CurveDrawing drawing(Ending ending, String message) {
+        CurveDrawing drawing(CurveEnding ending, String message) {
             return new CurveDrawing(method, points, splits, error, allowed, right, ending, message);
         }
 
-        CurveDrawing nothing(Ending ending, String message) {
+        CurveDrawing nothing(CurveEnding ending, String message) {
             return new CurveDrawing(
                     method, List.of(), 0, Double.NaN, allowed, false, ending, message);
         }

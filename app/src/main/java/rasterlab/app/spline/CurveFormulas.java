@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.stream.DoubleStream;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.widget.Formula;
+import rasterlab.app.canvas.widget.Formula.FormulaWords;
 import rasterlab.app.canvas.widget.Formula.Matrix;
-import rasterlab.app.canvas.widget.Formula.Words;
 import rasterlab.engine.spline.curve.CurvePlace;
 import rasterlab.engine.spline.curve.SpanForm;
 
@@ -27,19 +27,19 @@ final class CurveFormulas {
     List<Formula> lines() {
         String divided = form.divisor() == 1 ? "" : "1/" + form.divisor() + " ·";
         return List.of(
-                Formula.of(new Words("P(u) = T·M·G,  T ="), row(form.powers(), 3)),
+                Formula.of(new FormulaWords("P(u) = T·M·G,  T ="), row(form.powers(), 3)),
                 Formula.of(
-                        new Words("M ="),
-                        new Words(divided),
+                        new FormulaWords("M ="),
+                        new FormulaWords(divided),
                         matrix(form.matrix()),
-                        new Words("G ="),
+                        new FormulaWords("G ="),
                         matrix(form.geometry())),
                 Formula.of(
-                        new Words("C = M·G ="),
+                        new FormulaWords("C = M·G ="),
                         matrix(form.coefficients()),
-                        new Words("T·C ="),
+                        new FormulaWords("T·C ="),
                         row(new double[] {place.x(), place.y()}, 2)),
-                Formula.of(new Words("T·M ="), row(form.weights(), 3)));
+                Formula.of(new FormulaWords("T·M ="), row(form.weights(), 3)));
     }
 
     private Matrix row(double[] numbers, int decimals) {

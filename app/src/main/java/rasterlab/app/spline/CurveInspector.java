@@ -258,7 +258,7 @@ final class CurveInspector {
         CurveDrawing drawing = state.drawing();
         boolean refused =
                 drawing.method().equals(chosen.name())
-                        && drawing.ending() == CurveDrawing.Ending.REFUSED;
+                        && drawing.ending() == CurveDrawing.CurveEnding.REFUSED;
         about.show(
                 said.texts(),
                 chosen.name(),

@@ -160,7 +160,9 @@ final class CurveReadings {
                 "point." + i,
                 place.x(),
                 place.y(),
-                handle || hermite && i >= 2 ? PlanePoint.Form.DIAMOND : PlanePoint.Form.CIRCLE,
+                handle || hermite && i >= 2
+                        ? PlanePoint.HandleShape.DIAMOND
+                        : PlanePoint.HandleShape.CIRCLE,
                 count <= MOST_LABELS ? label : "",
                 said);
     }

@@ -30,15 +30,15 @@ public record FunctionDrawing(
         List<double[]> coefficients,
         List<Place> graph,
         List<Overshoot> overshoots,
-        List<Step> steps,
+        List<FunctionStep> steps,
         double error,
         boolean right,
-        Ending ending,
+        FunctionEnding ending,
         String message) {
     private static final int EACH = 48;
 
     /** How the search for the function came to its end. */
-    public enum Ending {
+    public enum FunctionEnding {
         ENDED,
         REFUSED,
         CRASHED
@@ -52,9 +52,9 @@ public record FunctionDrawing(
      * @param decision see {@link SteppedSpline#decisionFormula}; of an answer how far it is off
      * @param answer what a method without steps of its own answers at one place
      */
-    public record Step(
-            String phase, int index, int knot, double decision, Optional<Answer> answer) {
-        public Step {
+    public record FunctionStep(
+            String phase, int index, int knot, double decision, Optional<FunctionAnswer> answer) {
+        public FunctionStep {
             Bounds.requireAtLeast("index", index, 0);
             Bounds.requireAtLeast("knot", knot, -1);
         }
@@ -65,9 +65,9 @@ public record FunctionDrawing(
      *
      * @param wrong whether the topic does not call it exact
      */
-    public record Answer(double x, double value, double right, boolean wrong) {
+    public record FunctionAnswer(double x, double value, double right, boolean wrong) {
         /** The answers at all places of a problem; none where it has no function. */
-        private static List<Answer> all(
+        private static List<FunctionAnswer> all(
                 Topic<SplineFunction, SplineProblem, SplineValues> topic,
                 SplineProblem problem,
                 SplineValues exact,
@@ -75,10 +75,10 @@ public record FunctionDrawing(
             if (exact.y().length == 0 || actual.coefficients() != exact.coefficients())
                 return List.of();
             double[] right = SplineFunctionTopic.right(problem, exact, actual.promise());
-            var answers = new ArrayList<Answer>();
+            var answers = new ArrayList<FunctionAnswer>();
             for (int i = 0; i < right.length; i++)
                 answers.add(
-                        new Answer(
+                        new FunctionAnswer(
                                 problem.at()[i],
                                 actual.y()[i],
                                 right[i],
@@ -119,9 +119,9 @@ public record FunctionDrawing(
         try {
             return found(topic, method, function, choice);
         } catch (IllegalArgumentException e) {
-            return nothing(method, Ending.REFUSED, e.getMessage());
+            return nothing(method, FunctionEnding.REFUSED, e.getMessage());
         } catch (RuntimeException e) {
-            return nothing(method, Ending.CRASHED, e.toString());
+            return nothing(method, FunctionEnding.CRASHED, e.toString());
         }
     }
 
@@ -135,7 +135,7 @@ public record FunctionDrawing(
         return overshoots.stream().mapToDouble(Overshoot::by).max().orElse(0);
     }
 
-    private static FunctionDrawing nothing(String method, Ending ending, String message) {
+    private static FunctionDrawing nothing(String method, FunctionEnding ending, String message) {
         return new FunctionDrawing(
                 method,
                 List.of(),
@@ -171,10 +171,10 @@ public record FunctionDrawing(
                 Overshoot.all(x, choice.y(), all),
                 function instanceof SteppedSpline stepped
                         ? steps(stepped, choice)
-                        : answers(problem, Answer.all(topic, problem, exact, actual)),
+                        : answers(problem, FunctionAnswer.all(topic, problem, exact, actual)),
                 deviation.worst(),
                 topic.correct(deviation),
-                Ending.ENDED,
+                FunctionEnding.ENDED,
                 "");
     }
 
@@ -201,11 +201,11 @@ public record FunctionDrawing(
         return List.copyOf(pieces);
     }
 
-    private static List<Step> answers(SplineProblem problem, List<Answer> all) {
+    private static List<FunctionStep> answers(SplineProblem problem, List<FunctionAnswer> all) {
         return all.stream()
                 .map(
                         one ->
-                                new Step(
+                                new FunctionStep(
                                         "value",
                                         problem.piece(one.x()),
                                         -1,
@@ -214,15 +214,16 @@ public record FunctionDrawing(
                 .toList();
     }
 
-    private static List<Step> steps(SteppedSpline function, FunctionChoice choice) {
+    private static List<FunctionStep> steps(SteppedSpline function, FunctionChoice choice) {
         boolean rows = function.promise() == SplineFunction.Promise.SMOOTH;
         int first = choice.ends().kind() == SplineEnds.Kind.NOT_A_KNOT ? 1 : 0;
-        var steps = new ArrayList<Step>();
+        var steps = new ArrayList<FunctionStep>();
         SplineWalk walk = function.walk(choice.x(), choice.y(), choice.ends());
         while (walk.advance()) {
             int knot = rows ? walk.index() + first : -1;
             steps.add(
-                    new Step(walk.phase(), walk.index(), knot, walk.decision(), Optional.empty()));
+                    new FunctionStep(
+                            walk.phase(), walk.index(), knot, walk.decision(), Optional.empty()));
         }
         return List.copyOf(steps);
     }

@@ -139,7 +139,7 @@ final class FunctionInspector {
         FunctionDrawing drawing = state.drawing();
         boolean refused =
                 drawing.method().equals(chosen.name())
-                        && drawing.ending() == FunctionDrawing.Ending.REFUSED;
+                        && drawing.ending() == FunctionDrawing.FunctionEnding.REFUSED;
         about.show(
                 said.texts(),
                 chosen.name(),

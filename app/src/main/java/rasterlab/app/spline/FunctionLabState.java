@@ -31,7 +31,7 @@ public record FunctionLabState(
     }
 
     /** The answers so far of a method without steps of its own. */
-    public List<FunctionDrawing.Answer> answers() {
+    public List<FunctionDrawing.FunctionAnswer> answers() {
         return drawing().steps().stream()
                 .limit(step)
                 .flatMap(one -> one.answer().stream())
@@ -39,7 +39,7 @@ public record FunctionLabState(
     }
 
     /** The step taken last; empty before the first. */
-    public Optional<FunctionDrawing.Step> taken() {
+    public Optional<FunctionDrawing.FunctionStep> taken() {
         return step == 0 ? Optional.empty() : Optional.of(drawing().steps().get(step - 1));
     }
 }

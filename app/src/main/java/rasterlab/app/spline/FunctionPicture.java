@@ -37,8 +37,8 @@ import rasterlab.engine.spline.function.Overshoot;
  */
 record FunctionPicture(
         FunctionDrawings drawings,
-        Optional<FunctionDrawing.Step> taken,
-        List<FunctionDrawing.Answer> answers,
+        Optional<FunctionDrawing.FunctionStep> taken,
+        List<FunctionDrawing.FunctionAnswer> answers,
         Optional<FunctionAt> at,
         List<Place> slopes,
         Locale locale,
@@ -97,7 +97,7 @@ record FunctionPicture(
     private void paintStep(Graphics2D g, PlaneMap map, StageColors colors) {
         List<Place> knots = drawings.choice().knots();
         if (taken.isEmpty()) return;
-        FunctionDrawing.Step step = taken.get();
+        FunctionDrawing.FunctionStep step = taken.get();
         int from = step.knot() < 0 ? step.index() : step.knot();
         int to = step.knot() < 0 ? step.index() + 1 : step.knot();
         if (to >= knots.size()) return;
@@ -225,10 +225,10 @@ record FunctionPicture(
      * Paints a cross at each wrong answer; at the newest answer a dot, and a ring where it belongs.
      */
     private void paintAnswers(Graphics2D g, PlaneMap map, StageColors colors) {
-        for (FunctionDrawing.Answer each : answers)
+        for (FunctionDrawing.FunctionAnswer each : answers)
             if (each.wrong()) mark(g, map, PixelMark.EXTRA, each.x(), each.value());
         if (answers.isEmpty()) return;
-        FunctionDrawing.Answer newest = answers.get(answers.size() - 1);
+        FunctionDrawing.FunctionAnswer newest = answers.get(answers.size() - 1);
         if (newest.wrong()) {
             mark(g, map, PixelMark.MISSING, newest.x(), newest.right());
             return;

@@ -38,7 +38,7 @@ final class FunctionReadings {
         return state.taken().map(this::phase).orElse("–");
     }
 
-    private String phase(FunctionDrawing.Step step) {
+    private String phase(FunctionDrawing.FunctionStep step) {
         return step.answer()
                 .map(one -> texts.text("phase.value", number(one.x())))
                 .orElseGet(() -> texts.text("phase." + step.phase(), step.index()));
@@ -56,12 +56,12 @@ final class FunctionReadings {
 
     /** The label's key of {@link #decision}. */
     String decides() {
-        return state.taken().flatMap(FunctionDrawing.Step::answer).isPresent()
+        return state.taken().flatMap(FunctionDrawing.FunctionStep::answer).isPresent()
                 ? "answer"
                 : "decision";
     }
 
-    private String answer(FunctionDrawing.Answer one) {
+    private String answer(FunctionDrawing.FunctionAnswer one) {
         return one.wrong()
                 ? texts.text("answer.wrong", number(one.value()), number(one.right()))
                 : texts.text("answer.right", number(one.value()));
@@ -115,14 +115,16 @@ final class FunctionReadings {
     /** a, b, c and d of each piece. */
     List<Formula> coefficients() {
         List<double[]> pieces = state.drawing().coefficients();
-        if (pieces.isEmpty()) return List.of(Formula.of(new Formula.Words("–")));
+        if (pieces.isEmpty()) return List.of(Formula.of(new Formula.FormulaWords("–")));
         var rows = new ArrayList<List<String>>();
         for (double[] piece : pieces.subList(0, Math.min(MOST_PIECES, pieces.size())))
             rows.add(DoubleStream.of(piece).mapToObj(this::number).toList());
         var formulas = new ArrayList<Formula>();
-        formulas.add(Formula.of(new Formula.Words("S(x) = a + b·s + c·s² + d·s³,  s = x − x[i]")));
+        formulas.add(
+                Formula.of(
+                        new Formula.FormulaWords("S(x) = a + b·s + c·s² + d·s³,  s = x − x[i]")));
         formulas.add(Formula.of(new Formula.Matrix(List.of("a", "b", "c", "d"), rows)));
-        if (pieces.size() > MOST_PIECES) formulas.add(Formula.of(new Formula.Words("…")));
+        if (pieces.size() > MOST_PIECES) formulas.add(Formula.of(new Formula.FormulaWords("…")));
         return formulas;
     }
 
@@ -166,7 +168,7 @@ final class FunctionReadings {
                 "point." + i,
                 knot.x(),
                 knot.y(),
-                PlanePoint.Form.CIRCLE,
+                PlanePoint.HandleShape.CIRCLE,
                 knots.size() <= MOST_LABELS ? String.valueOf(i) : "",
                 texts.text("knot", i, number(knot.x()), number(knot.y())));
     }
@@ -176,7 +178,7 @@ final class FunctionReadings {
                 "slope." + side,
                 place.x(),
                 place.y(),
-                PlanePoint.Form.DIAMOND,
+                PlanePoint.HandleShape.DIAMOND,
                 "",
                 texts.text("slope." + side + ".handle", number(slope)));
     }

@@ -65,13 +65,13 @@ final class GradingSection implements TourPart {
 
     private static void submitAll(TourPage page, GraderClient client, String student)
             throws IOException, InterruptedException {
-        List<Graded> all = new ArrayList<>();
+        List<GradedSolution> all = new ArrayList<>();
         for (Solution solution : SOLUTIONS) {
             page.say(page.texts().text("grading.submitting", solution.name));
             long start = System.nanoTime();
             String language = page.texts().locale().getLanguage();
             JsonNode result = client.graded(student, EXERCISE, source(solution.name), language);
-            all.add(new Graded(solution.name, result, (System.nanoTime() - start) / 1e9));
+            all.add(new GradedSolution(solution.name, result, (System.nanoTime() - start) / 1e9));
         }
         page.table(
                 page.texts().text("grading.heads"),
@@ -79,11 +79,11 @@ final class GradingSection implements TourPart {
         page.paragraph(
                 page.texts()
                         .text("grading.isolation", all.get(0).result.path("isolation").asText()));
-        for (Graded graded : all) show(page, client, student, graded);
+        for (GradedSolution graded : all) show(page, client, student, graded);
         for (int i = 0; i < all.size(); i++) requireVerdict(page, SOLUTIONS.get(i), all.get(i));
     }
 
-    private static void requireVerdict(TourPage page, Solution solution, Graded graded) {
+    private static void requireVerdict(TourPage page, Solution solution, GradedSolution graded) {
         String verdict = graded.result.path("verdict").asText();
         if (!verdict.equals(solution.verdict))
             throw new IllegalStateException(
@@ -100,7 +100,7 @@ final class GradingSection implements TourPart {
     }
 
     /** The answer of the server to one solution. */
-    record Graded(String solution, JsonNode result, double seconds) {
+    record GradedSolution(String solution, JsonNode result, double seconds) {
         List<String> row(Texts texts) {
             JsonNode points = result.path("points");
             return List.of(
@@ -114,7 +114,8 @@ final class GradingSection implements TourPart {
         }
     }
 
-    private static void show(TourPage page, GraderClient client, String student, Graded graded)
+    private static void show(
+            TourPage page, GraderClient client, String student, GradedSolution graded)
             throws IOException, InterruptedException {
         page.heading(page.texts().text("grading." + graded.solution));
         page.preformatted(source(graded.solution));
@@ -138,13 +139,13 @@ final class GradingSection implements TourPart {
     }
 
     /** Shows the first case that has pictures: the difference as text, and all of them. */
-    static void showFirstPicture(TourPage page, PngSource pngs, Graded graded)
+    static void showFirstPicture(TourPage page, PngSource pngs, GradedSolution graded)
             throws IOException, InterruptedException {
         for (JsonNode judged : graded.result.path("cases")) {
             JsonNode pictures = judged.path("pictures");
             if (pictures.isEmpty()) continue;
             page.paragraph(page.texts().text("grading.picture", title(judged)));
-            List<TourPage.Figure> figures = new ArrayList<>();
+            List<TourPage.CaptionedPicture> figures = new ArrayList<>();
             for (JsonNode one : pictures) {
                 String kind = one.path("kind").asText();
                 if (kind.equals(CasePicture.DIFFERENCE)) showText(page, one);

@@ -48,16 +48,16 @@ final class LabPictures implements TourPart {
     }
 
     /** How a tab looks. */
-    record Look(LabTheme theme, Language language) {
+    record TabLook(LabTheme theme, Language language) {
         private static final List<LabTheme> THEMES = List.of(LabTheme.LIGHT, LabTheme.DARK);
 
         /** Each theme in each language. */
-        static List<Look> all() {
+        static List<TabLook> all() {
             return THEMES.stream()
                     .flatMap(
                             theme ->
                                     Stream.of(Language.values())
-                                            .map(language -> new Look(theme, language)))
+                                            .map(language -> new TabLook(theme, language)))
                     .toList();
         }
 
@@ -68,7 +68,7 @@ final class LabPictures implements TourPart {
 
     private final Predicate<String> wanted;
     private final Supplier<Study> charted;
-    private final List<Look> looks;
+    private final List<TabLook> looks;
     private final List<Shot> shots = new ArrayList<>();
 
     /**
@@ -76,7 +76,7 @@ final class LabPictures implements TourPart {
      * @param charted the study whose chart is shown; asked only where that picture is made
      * @param looks of each picture
      */
-    LabPictures(Predicate<String> wanted, Supplier<Study> charted, List<Look> looks) {
+    LabPictures(Predicate<String> wanted, Supplier<Study> charted, List<TabLook> looks) {
         this.wanted = wanted;
         this.charted = charted;
         this.looks = looks;
@@ -116,14 +116,14 @@ final class LabPictures implements TourPart {
             if (!wanted.test(shot.name())) continue;
             page.heading(shot.said().apply(page.texts().language()));
             Consumer<LabModels> prepare = shot.preparation().get();
-            List<TourPage.Figure> figures = new ArrayList<>();
-            for (Look look : looks) figures.add(figure(page, shot, prepare, look));
+            List<TourPage.CaptionedPicture> figures = new ArrayList<>();
+            for (TabLook look : looks) figures.add(figure(page, shot, prepare, look));
             page.gallery(figures);
         }
     }
 
-    private static TourPage.Figure figure(
-            TourPage page, Shot shot, Consumer<LabModels> prepare, Look look)
+    private static TourPage.CaptionedPicture figure(
+            TourPage page, Shot shot, Consumer<LabModels> prepare, TabLook look)
             throws InterruptedException {
         Language language = look.language();
         String caption = language.ownName() + ", " + page.texts().text("theme." + look.themeName());

@@ -34,7 +34,7 @@ final class ScenePictures implements TourPart {
 
     private static void gallery(TourPage page) {
         page.heading(page.texts().text("scenes.all"));
-        List<TourPage.Figure> figures = new ArrayList<>();
+        List<TourPage.CaptionedPicture> figures = new ArrayList<>();
         try (var renderer = new Renderer()) {
             for (Scene scene : Scenes.all()) {
                 page.say(scene.name());
@@ -58,7 +58,7 @@ final class ScenePictures implements TourPart {
         var renderer = new Renderer();
         Raster exact = renderer.render(request(scene, Renderer.REFERENCE, SHADING), () -> false);
         List<List<String>> rows = new ArrayList<>();
-        List<TourPage.Figure> figures = new ArrayList<>();
+        List<TourPage.CaptionedPicture> figures = new ArrayList<>();
         for (String visibility : Renderer.visibilities()) {
             page.say(scene.name() + ": " + visibility);
             try {
@@ -81,7 +81,7 @@ final class ScenePictures implements TourPart {
             Scene scene,
             String visibility,
             Raster exact,
-            List<TourPage.Figure> figures) {
+            List<TourPage.CaptionedPicture> figures) {
         long start = System.nanoTime();
         Raster picture = renderer.render(request(scene, visibility, SHADING), () -> false);
         double milliseconds = (System.nanoTime() - start) / 1e6;
@@ -113,7 +113,7 @@ final class ScenePictures implements TourPart {
                 String.format(texts.locale(), "%.1f", milliseconds));
     }
 
-    private static TourPage.Figure differenceFigure(
+    private static TourPage.CaptionedPicture differenceFigure(
             TourPage page, String name, PictureDifference difference) {
         String caption = page.texts().text("scenes.difference", difference.wrongPixels());
         return page.picture(name + "-difference", difference.mask().image(), caption);

@@ -10,7 +10,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.shell.settings.LabTheme;
-import rasterlab.app.tour.LabPictures.Look;
+import rasterlab.app.tour.LabPictures.TabLook;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.StudySettings;
 
@@ -39,7 +39,7 @@ public final class Tour {
      * @throws Complaint if the folder cannot be written to
      */
     public boolean make(Optional<Path> home) throws InterruptedException {
-        return make(parts(home, Look.all(), StudySettings.quick()));
+        return make(parts(home, TabLook.all(), StudySettings.quick()));
     }
 
     /**
@@ -49,7 +49,7 @@ public final class Tour {
      */
     public boolean makeQuickly(Optional<Path> home, StudySettings timing)
             throws InterruptedException {
-        return make(parts(home, List.of(new Look(LabTheme.LIGHT, language)), timing));
+        return make(parts(home, List.of(new TabLook(LabTheme.LIGHT, language)), timing));
     }
 
     /** Makes those parts and the page; returns and throws the same. */
@@ -69,7 +69,7 @@ public final class Tour {
         return folder.resolve("index.html");
     }
 
-    private List<TourPart> parts(Optional<Path> home, List<Look> looks, StudySettings timing) {
+    private List<TourPart> parts(Optional<Path> home, List<TabLook> looks, StudySettings timing) {
         var studies = new TourStudies(timing, Texts.of("tour", language), progress::println);
         return List.of(
                 new LabPictures(name -> true, () -> studies.of(new LineTopic()), looks),

@@ -82,23 +82,23 @@ final class TourPage {
     }
 
     /** Shows large pictures, at most two side by side, each with its caption. */
-    void gallery(List<Figure> figures) {
+    void gallery(List<CaptionedPicture> figures) {
         append("gallery", figures);
     }
 
     /** Pictures to compare, four side by side where there is room. */
-    void smallGallery(List<Figure> figures) {
+    void smallGallery(List<CaptionedPicture> figures) {
         append("small gallery", figures);
     }
 
     /** Shows one picture in its own size. */
-    void large(Figure figure) {
+    void large(CaptionedPicture figure) {
         append("large gallery", List.of(figure));
     }
 
-    private void append(String kind, List<Figure> figures) {
+    private void append(String kind, List<CaptionedPicture> figures) {
         body.append("<div class=\"%s\">\n".formatted(kind));
-        for (Figure figure : figures) body.append(figure.html());
+        for (CaptionedPicture figure : figures) body.append(figure.html());
         body.append("</div>\n");
     }
 
@@ -107,14 +107,14 @@ final class TourPage {
      *
      * @param name of the file, without folder and extension
      */
-    Figure picture(String name, BufferedImage image, String caption) {
+    CaptionedPicture picture(String name, BufferedImage image, String caption) {
         return picture(name, PngFile.bytes(image), caption);
     }
 
     /** Writes a picture that is PNG already and describes it. */
-    Figure picture(String name, byte[] png, String caption) {
+    CaptionedPicture picture(String name, byte[] png, String caption) {
         WholeFile.write(folder.resolve(PICTURES).resolve(name + ".png"), png);
-        return new Figure(PICTURES + "/" + name + ".png", caption);
+        return new CaptionedPicture(PICTURES + "/" + name + ".png", caption);
     }
 
     /**
@@ -122,7 +122,7 @@ final class TourPage {
      *
      * @param file from the page's folder
      */
-    record Figure(String file, String caption) {
+    record CaptionedPicture(String file, String caption) {
         private String html() {
             String words = Html.escaped(caption);
             return """

@@ -23,22 +23,22 @@ import rasterlab.app.visibility.scene.StageView;
  */
 final class ChartStudies implements AutoCloseable {
     /** A chart in a language and size, on a stage in those colours. */
-    record Question(StageView view, Language language, StageColors colors, ChartSize size) {
+    record ChartRequest(StageView view, Language language, StageColors colors, ChartSize size) {
         /** Whether a chart of the one serves for the other until that is made. */
-        boolean isLike(Question other) {
-            return other.equals(new Question(view, language, colors, other.size));
+        boolean isLike(ChartRequest other) {
+            return other.equals(new ChartRequest(view, language, colors, other.size));
         }
     }
 
     /** A finished chart. */
-    record Chart(Question asked, BufferedImage image, Supplier<byte[]> svg) {}
+    record FinishedChart(ChartRequest asked, BufferedImage image, Supplier<byte[]> svg) {}
 
     private final Executor events;
-    private final LatestOnly<Question, Chart> work;
+    private final LatestOnly<ChartRequest, FinishedChart> work;
     private final List<Runnable> listeners = new ArrayList<>();
     private Optional<GrowthChart> growth = Optional.empty();
-    private Optional<Question> asked = Optional.empty();
-    private Optional<Chart> chart = Optional.empty();
+    private Optional<ChartRequest> asked = Optional.empty();
+    private Optional<FinishedChart> chart = Optional.empty();
     private double progress;
 
     ChartStudies(Executor events, Consumer<Throwable> onFailure) {
@@ -52,7 +52,7 @@ final class ChartStudies implements AutoCloseable {
     }
 
     /** Asks for a chart unless it is there or on its way. */
-    void ask(Question question) {
+    void ask(ChartRequest question) {
         if (asked.equals(Optional.of(question))) return;
         asked = Optional.of(question);
         chart = chart.filter(old -> old.asked().isLike(question));
@@ -62,12 +62,12 @@ final class ChartStudies implements AutoCloseable {
 
     /** Gives the chart up that is being made. */
     void cancel() {
-        asked = chart.map(Chart::asked);
+        asked = chart.map(FinishedChart::asked);
         work.cancel();
     }
 
     /** The chart asked for last; empty while it is made. */
-    Optional<Chart> chart() {
+    Optional<FinishedChart> chart() {
         return chart;
     }
 
@@ -91,16 +91,16 @@ final class ChartStudies implements AutoCloseable {
         work.close();
     }
 
-    private Chart made(Question question, BooleanSupplier cancelled) {
+    private FinishedChart made(ChartRequest question, BooleanSupplier cancelled) {
         var paper = ChartLook.on(question.colors());
         Language language = question.language();
         if (question.view() == StageView.PRECISION)
-            return new Chart(
+            return new FinishedChart(
                     question,
                     DepthPrecisionChart.image(language, paper, question.size()),
                     () -> DepthPrecisionChart.svg(language, paper));
         GrowthChart counted = counted(cancelled);
-        return new Chart(
+        return new FinishedChart(
                 question,
                 counted.image(language, paper, question.size()),
                 () -> counted.svg(language, paper));
@@ -121,7 +121,7 @@ final class ChartStudies implements AutoCloseable {
         tell();
     }
 
-    private void accept(Chart found) {
+    private void accept(FinishedChart found) {
         if (!asked.equals(Optional.of(found.asked()))) return;
         chart = Optional.of(found);
         tell();

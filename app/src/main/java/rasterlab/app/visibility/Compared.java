@@ -25,7 +25,7 @@ public record Compared(
         long missing,
         long extra) {
     /** The fault of a pixel. */
-    enum Wrong {
+    enum PixelFault {
         NOTHING,
         MISSING,
         EXTRA,
@@ -57,13 +57,13 @@ public record Compared(
         return 0xFF000000 | request.scene().backgroundRgb();
     }
 
-    private static Wrong wrong(int want, int have, int background) {
-        if (want == have) return Wrong.NOTHING;
-        if (have == background) return Wrong.MISSING;
-        return want == background ? Wrong.EXTRA : Wrong.COLOR;
+    private static PixelFault wrong(int want, int have, int background) {
+        if (want == have) return PixelFault.NOTHING;
+        if (have == background) return PixelFault.MISSING;
+        return want == background ? PixelFault.EXTRA : PixelFault.COLOR;
     }
 
-    Wrong at(int x, int y) {
+    PixelFault at(int x, int y) {
         return wrong(exact.argb(x, y), actual.argb(x, y), background(request));
     }
 

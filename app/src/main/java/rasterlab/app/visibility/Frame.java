@@ -34,13 +34,13 @@ record Frame(
     /**
      * @param second empty for one picture
      */
-    record Pictures(Picture first, Optional<Picture> second) {}
+    record FramePictures(Picture first, Optional<Picture> second) {}
 
     /**
      * @param plans draws the least picture
      */
-    Pictures made(PictureMaker maker, PlanDrawing plans, BooleanSupplier cancelled) {
-        return new Pictures(
+    FramePictures made(PictureMaker maker, PlanDrawing plans, BooleanSupplier cancelled) {
+        return new FramePictures(
                 tolerance.isPresent()
                         ? least(tolerance.get(), maker, plans, cancelled)
                         : picture(first, maker, cancelled),

@@ -75,7 +75,7 @@ final class PixelLens extends SelfDrawn {
         g.drawRect(left + columns / 2 * side, ROWS / 2 * side, side - 1, side - 1);
     }
 
-    private static void mark(Graphics2D g, Compared.Wrong wrong, int x, int y, int side) {
+    private static void mark(Graphics2D g, Compared.PixelFault wrong, int x, int y, int side) {
         switch (wrong) {
             case MISSING -> PixelMark.MISSING.paint(g, x, y, side);
             case EXTRA -> PixelMark.EXTRA.paint(g, x, y, side);

@@ -16,18 +16,19 @@ import rasterlab.engine.visibility.buffer.PixelTouch;
  * @param stored what the depth buffer holds in the end, where the method keeps one
  * @param told whether the picture is one whose faces can be asked
  */
-record PixelReport(Question asked, List<PixelTouch> touches, OptionalDouble stored, boolean told) {
+record PixelReport(
+        PixelRequest asked, List<PixelTouch> touches, OptionalDouble stored, boolean told) {
     /**
      * @param x column
      * @param y row
      */
-    record Question(RenderRequest request, int x, int y) {
+    record PixelRequest(RenderRequest request, int x, int y) {
         boolean isAt(ChosenPixel pixel) {
             return pixel.x() == x && pixel.y() == y;
         }
     }
 
-    static PixelReport of(Question asked, BooleanSupplier cancelled) {
+    static PixelReport of(PixelRequest asked, BooleanSupplier cancelled) {
         Optional<FaceDrawing> drawing = FaceDrawing.of(asked.request);
         if (drawing.isEmpty()) return untold(asked);
         try {
@@ -42,7 +43,7 @@ record PixelReport(Question asked, List<PixelTouch> touches, OptionalDouble stor
         }
     }
 
-    private static PixelReport untold(Question asked) {
+    private static PixelReport untold(PixelRequest asked) {
         return new PixelReport(asked, List.of(), OptionalDouble.empty(), false);
     }
 }

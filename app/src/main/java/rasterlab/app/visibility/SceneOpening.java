@@ -12,7 +12,8 @@ import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.scene.obj.UpAxis;
 
 /** Shows the user's scenes, models and pictures in the lab. */
-final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, SceneFiles.Answer> {
+final class SceneOpening
+        implements KeptFile.FileLab<OpenedFiles, VisibilityChoice, SceneFiles.SceneAnswer> {
     private final VisibilityLabModel model;
 
     SceneOpening(VisibilityLabModel model) {
@@ -39,7 +40,7 @@ final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, 
         return shown.shown();
     }
 
-    static Supplier<SceneFiles.Answer> reading(Path file) {
+    static Supplier<SceneFiles.SceneAnswer> reading(Path file) {
         return () -> SceneFiles.read(file);
     }
 
@@ -51,14 +52,14 @@ final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, 
     }
 
     @Override
-    public Optional<Supplier<SceneFiles.Answer>> reading(
+    public Optional<Supplier<SceneFiles.SceneAnswer>> reading(
             OpenedFiles kept, VisibilityChoice before) {
         return kept.view()
                 .map(view -> () -> SceneFiles.read(new RestoredScene(view, kept.up(), before)));
     }
 
     @Override
-    public boolean open(SceneFiles.Answer read) {
+    public boolean open(SceneFiles.SceneAnswer read) {
         model.tellProblem(read.problem());
         try {
             if (read.problem().isEmpty()) model.choose(read.change());
@@ -71,7 +72,7 @@ final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, 
     }
 
     @Override
-    public String restore(OpenedFiles kept, SceneFiles.Answer read) {
+    public String restore(OpenedFiles kept, SceneFiles.SceneAnswer read) {
         try {
             VisibilityChoice next = read.change().apply(shown());
             if (!next.equals(shown())) model.restoreOpened(next);

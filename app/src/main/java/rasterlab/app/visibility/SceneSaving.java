@@ -14,11 +14,11 @@ import rasterlab.app.visibility.scene.VisibilityChoice;
 final class SceneSaving {
     private final VisibilityLabModel model;
     private final Texts texts;
-    private final Writing writing;
+    private final SceneWriter writing;
 
     /** Asks for a file and writes it, as {@link SceneWriting#ask}. */
     @FunctionalInterface
-    interface Writing {
+    interface SceneWriter {
         void ask(
                 String title,
                 String stem,
@@ -26,7 +26,7 @@ final class SceneSaving {
                 Consumer<SavedScene> written);
     }
 
-    SceneSaving(VisibilityLabModel model, Texts texts, Writing writing) {
+    SceneSaving(VisibilityLabModel model, Texts texts, SceneWriter writing) {
         this.model = model;
         this.texts = texts;
         this.writing = writing;

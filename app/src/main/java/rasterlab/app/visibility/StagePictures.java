@@ -134,11 +134,12 @@ record StagePictures(List<Method<Visibility>> methods, Visibility own, int width
     }
 
     /** The events at a pixel; empty where the pictures do not have it. */
-    Optional<PixelReport.Question> question(VisibilityChoice choice, ChosenPixel pixel) {
+    Optional<PixelReport.PixelRequest> question(VisibilityChoice choice, ChosenPixel pixel) {
         boolean inside = pixel.x() < pictureWidth(choice) && pixel.y() < height;
         boolean there = !pixel.second() || second(choice).isPresent();
         if (!inside || !there) return Optional.empty();
         String method = pixel.second() ? choice.comparison() : choice.visibility();
-        return Optional.of(new PixelReport.Question(request(choice, method), pixel.x(), pixel.y()));
+        return Optional.of(
+                new PixelReport.PixelRequest(request(choice, method), pixel.x(), pixel.y()));
     }
 }

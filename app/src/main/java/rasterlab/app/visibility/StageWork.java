@@ -15,10 +15,10 @@ import rasterlab.engine.plan.Plan;
 final class StageWork implements AutoCloseable {
     private final PictureMaker maker;
     private final PlanDrawing plans = new PlanDrawing();
-    private final LatestOnly<Frame, Frame.Pictures> pictures;
+    private final LatestOnly<Frame, Frame.FramePictures> pictures;
     private final LatestOnly<Frame, Differences> differences;
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
-    private final LatestOnly<PixelReport.Question, PixelReport> histories;
+    private final LatestOnly<PixelReport.PixelRequest, PixelReport> histories;
 
     /**
      * Receives what was found.
@@ -28,8 +28,8 @@ final class StageWork implements AutoCloseable {
      * @param walks steps of a request
      * @param histories what happened at a pixel
      */
-    record Told(
-            Consumer<Frame.Pictures> pictures,
+    record StageListeners(
+            Consumer<Frame.FramePictures> pictures,
             BiConsumer<Frame, Differences> differences,
             BiConsumer<RenderRequest, Optional<Drawn>> walks,
             Consumer<PixelReport> histories) {}
@@ -39,7 +39,11 @@ final class StageWork implements AutoCloseable {
      * @param events runs what it is given on the one thread that is told, in order
      * @param onFailure told what a background picture threw, on any thread
      */
-    StageWork(PictureMaker maker, Executor events, Consumer<Throwable> onFailure, Told told) {
+    StageWork(
+            PictureMaker maker,
+            Executor events,
+            Consumer<Throwable> onFailure,
+            StageListeners told) {
         this.maker = maker;
         pictures =
                 new LatestOnly<>(
@@ -89,7 +93,7 @@ final class StageWork implements AutoCloseable {
         walks.ask(request);
     }
 
-    void report(PixelReport.Question question) {
+    void report(PixelReport.PixelRequest question) {
         histories.ask(question);
     }
 

@@ -44,7 +44,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final FrameTimes times = new FrameTimes();
     private final Listeners<VisibilityLabState> listeners = new Listeners<>();
     private final LatestReading reader;
-    private final KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.Answer> files;
+    private final KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.SceneAnswer> files;
     private final ChartStudies charts;
     private final ViewBills bills;
     private final RowLabModel rows;
@@ -73,7 +73,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                         maker,
                         events,
                         onFailure,
-                        new StageWork.Told(this::accept, this::accept, this::accept, this::accept));
+                        new StageWork.StageListeners(
+                                this::accept, this::accept, this::accept, this::accept));
         reader = new LatestReading("scene file", events, onFailure);
         files = new KeptFile<>(new SceneOpening(this), reader);
     }
@@ -316,7 +317,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     /** The user's files that are shown; they are restored after the choice itself. */
-    public KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.Answer> keptFiles() {
+    public KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.SceneAnswer> keptFiles() {
         return files;
     }
 
@@ -367,7 +368,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                 .ifPresent(work::report);
     }
 
-    private void accept(Frame.Pictures made) {
+    private void accept(Frame.FramePictures made) {
         Picture first = made.first();
         boolean timed = first.refusal().isEmpty() && state.choice().view() == StageView.COLORS;
         if (timed && first.request().visibility().equals(state.choice().visibility()))

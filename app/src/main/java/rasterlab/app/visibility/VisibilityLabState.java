@@ -56,11 +56,11 @@ public record VisibilityLabState(
 
     /** The faults of the second picture; empty where they are not known, or its method refuses. */
     public Optional<Compared> otherDifference() {
-        return otherOutcome().flatMap(Differences.Outcome::compared);
+        return otherOutcome().flatMap(Differences.PictureOutcome::compared);
     }
 
     /** The result of comparing the other method's picture. */
-    Optional<Differences.Outcome> otherOutcome() {
+    Optional<Differences.PictureOutcome> otherOutcome() {
         return differences.flatMap(Differences::second);
     }
 
@@ -103,7 +103,7 @@ public record VisibilityLabState(
         return draft.state();
     }
 
-    VisibilityLabState with(Frame.Pictures made) {
+    VisibilityLabState with(Frame.FramePictures made) {
         var draft = new Draft(this);
         draft.picture = Optional.of(made.first());
         draft.other = made.second();

@@ -96,11 +96,11 @@ final class VisibilityReadings {
         return wrongPixels(state.choice().comparison(), state.otherOutcome());
     }
 
-    private Optional<Differences.Outcome> first() {
+    private Optional<Differences.PictureOutcome> first() {
         return state.differences().map(Differences::first);
     }
 
-    private String wrongPixels(String method, Optional<Differences.Outcome> outcome) {
+    private String wrongPixels(String method, Optional<Differences.PictureOutcome> outcome) {
         String counted = read(outcome, found -> count(found.wrongPixels()), refused(method));
         return texts.text("wrongPixels.of", OwnWords.called(method, texts.language()), counted);
     }
@@ -120,9 +120,9 @@ final class VisibilityReadings {
         return refusal(state.choice().comparison(), state.otherOutcome());
     }
 
-    private Optional<String> refusal(String method, Optional<Differences.Outcome> outcome) {
+    private Optional<String> refusal(String method, Optional<Differences.PictureOutcome> outcome) {
         return outcome.filter(found -> state.step() == Frame.ALL)
-                .flatMap(Differences.Outcome::refusal)
+                .flatMap(Differences.PictureOutcome::refusal)
                 .map(said -> refusal(method, said, texts));
     }
 
@@ -230,7 +230,7 @@ final class VisibilityReadings {
      * @param refused stands where the method refuses the scene
      */
     private String read(
-            Optional<Differences.Outcome> outcome,
+            Optional<Differences.PictureOutcome> outcome,
             Function<Compared, String> reading,
             String refused) {
         if (state.choice().tolerance().isPresent()) return "–";

@@ -115,7 +115,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                 TopicBinding.<VisibilityLabModel>noted(
                                 (lab, input, method) ->
                                         show(lab, view.apply(input, method), input, method),
-                                new TopicBinding.Notes<>(
+                                new TopicBinding.PictureNotes<>(
                                         (lab, input, method) ->
                                                 view.apply(input, method).differences(),
                                         method -> true,

@@ -159,7 +159,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                         ? GrowthChart.filling(getWidth(), getHeight(), type)
                         : ChartSize.filling(getWidth(), getHeight(), type);
         var colors = StageColors.now();
-        model.charts().ask(new ChartStudies.Question(view, texts.language(), colors, size));
+        model.charts().ask(new ChartStudies.ChartRequest(view, texts.language(), colors, size));
     }
 
     @Override
@@ -193,13 +193,13 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                 .orElseGet(() -> SvgPicture.of(this, this::paintAll));
     }
 
-    private static SvgDrawing svg(ChartStudies.Chart chart) {
+    private static SvgDrawing svg(ChartStudies.FinishedChart chart) {
         return () -> new String(chart.svg().get(), StandardCharsets.UTF_8);
     }
 
     /** Paints the chart as large as it fits, in the middle. */
     private void paintChart(Graphics2D g) {
-        Optional<ChartStudies.Chart> chart = model.charts().chart();
+        Optional<ChartStudies.FinishedChart> chart = model.charts().chart();
         if (chart.isEmpty()) return;
         var image = chart.get().image();
         double fit =

@@ -48,7 +48,7 @@ class PlaneFrameTest {
     }
 
     private static PlanePoint point(String label, double x, double y) {
-        return new PlanePoint(label, x, y, PlanePoint.Form.CIRCLE, label, label);
+        return new PlanePoint(label, x, y, PlanePoint.HandleShape.CIRCLE, label, label);
     }
 
     private static List<Rectangle> told(PlanePoint... points) {

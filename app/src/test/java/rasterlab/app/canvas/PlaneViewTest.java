@@ -36,7 +36,7 @@ class PlaneViewTest {
         Texts texts = Texts.of("canvas", Language.ENGLISH);
         var scene = new Empty(ruled);
         String said = "many words ".repeat(12).strip();
-        var point = new PlanePoint("point.0", x, y, PlanePoint.Form.CIRCLE, "", "");
+        var point = new PlanePoint("point.0", x, y, PlanePoint.HandleShape.CIRCLE, "", "");
         try (var view =
                 new PlaneView(
                         PlaneAxes.GEOMETRY, texts, "", new NoEdits(), () -> {}, failures::add)) {
@@ -57,8 +57,8 @@ class PlaneViewTest {
     @DisplayName("handles change places, or one that is out of sight lies under the buttons")
     void handlesLieAroundTheirPointsAndClearOfTheButtons() {
         var failures = new CopyOnWriteArrayList<Throwable>();
-        var seen = new PlanePoint("seen", 5, 5, PlanePoint.Form.CIRCLE, "", "");
-        var beyond = new PlanePoint("beyond", 99, -99, PlanePoint.Form.CIRCLE, "", "");
+        var seen = new PlanePoint("seen", 5, 5, PlanePoint.HandleShape.CIRCLE, "", "");
+        var beyond = new PlanePoint("beyond", 99, -99, PlanePoint.HandleShape.CIRCLE, "", "");
         try (var view =
                 new PlaneView(
                         PlaneAxes.GEOMETRY,

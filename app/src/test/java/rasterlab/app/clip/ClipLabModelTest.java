@@ -64,7 +64,7 @@ class ClipLabModelTest {
         for (ClipMode mode : ClipMode.values()) {
             model.chooseMode(mode);
             Clipping opened = clipping();
-            assertEquals(Clipping.Ending.ENDED, opened.ending(), mode.name());
+            assertEquals(Clipping.ClipEnding.ENDED, opened.ending(), mode.name());
             assertFalse(opened.parts().isEmpty(), mode.name());
             assertTrue(model.state().finished(), mode.name());
         }
@@ -91,7 +91,7 @@ class ClipLabModelTest {
     @Test
     void nothingIsToldOfAnAnswerThatNeverCame() {
         model.chooseMethod("cohen-sutherland-nested-textbook");
-        assertEquals(Clipping.Ending.ENDLESS, clipping().ending());
+        assertEquals(Clipping.ClipEnding.ENDLESS, clipping().ending());
         model.goTo(model.last());
         assertEquals(List.of("–", ""), wrong(Language.ENGLISH));
         assertEquals(List.of("–", ""), wrong(Language.RUSSIAN));
@@ -231,7 +231,7 @@ class ClipLabModelTest {
     void endlessMethodIsCutAndTheOtherSegmentsGoOn() {
         model.chooseMethod("cohen-sutherland-nested-textbook");
         Clipping endless = clipping();
-        assertEquals(Clipping.Ending.ENDLESS, endless.ending());
+        assertEquals(Clipping.ClipEnding.ENDLESS, endless.ending());
         assertTrue(endless.part(0).isEmpty());
         assertTrue(endless.part(3).isPresent());
     }
@@ -243,7 +243,7 @@ class ClipLabModelTest {
         assertTrue(clipping().isRight());
         assertEquals(List.of(0, 1, 2), borders(clipping(), 3));
         model.chooseMethod("midpoint");
-        assertEquals(Clipping.Ending.REFUSED, clipping().ending());
+        assertEquals(Clipping.ClipEnding.REFUSED, clipping().ending());
         model.shapeWindow(true);
         assertTrue(clipping().isRight());
     }
@@ -256,7 +256,7 @@ class ClipLabModelTest {
     void hollowWindowIsRefusedAndNothingIsExact() {
         model.shapeWindow(false);
         model.move(ClipGrip.window(1), 4, 4);
-        assertEquals(Clipping.Ending.REFUSED, clipping().ending());
+        assertEquals(Clipping.ClipEnding.REFUSED, clipping().ending());
         assertEquals(List.of(), model.state().results().exact());
     }
 
@@ -342,10 +342,10 @@ class ClipLabModelTest {
     private static boolean fits(Verdict.Kind recorded, Clipping shown) {
         return switch (recorded) {
             case EXACT -> shown.isRight();
-            case REFUSED -> shown.ending() == Clipping.Ending.REFUSED;
-            case ENDLESS -> shown.ending() == Clipping.Ending.ENDLESS;
-            case CRASHED -> shown.ending() == Clipping.Ending.CRASHED;
-            default -> shown.ending() == Clipping.Ending.ENDED;
+            case REFUSED -> shown.ending() == Clipping.ClipEnding.REFUSED;
+            case ENDLESS -> shown.ending() == Clipping.ClipEnding.ENDLESS;
+            case CRASHED -> shown.ending() == Clipping.ClipEnding.CRASHED;
+            default -> shown.ending() == Clipping.ClipEnding.ENDED;
         };
     }
 

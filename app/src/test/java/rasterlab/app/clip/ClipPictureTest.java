@@ -46,17 +46,19 @@ class ClipPictureTest {
         return ClipPicture.of(scene, results.clipping(), shown, Locale.ENGLISH).drawn();
     }
 
-    private static Stream<ClipMark.Line> lines(List<ClipMark> drawn, ClipMark.Ink ink) {
+    private static Stream<ClipMark.MarkedLine> lines(
+            List<ClipMark> drawn, ClipMark.MarkMeaning ink) {
         return drawn.stream()
-                .filter(ClipMark.Line.class::isInstance)
-                .map(ClipMark.Line.class::cast)
+                .filter(ClipMark.MarkedLine.class::isInstance)
+                .map(ClipMark.MarkedLine.class::cast)
                 .filter(line -> line.ink() == ink);
     }
 
-    private static Stream<ClipMark.Sign> signs(List<ClipMark> drawn, ClipMark.Shape shape) {
+    private static Stream<ClipMark.MarkedSign> signs(
+            List<ClipMark> drawn, ClipMark.SignShape shape) {
         return drawn.stream()
-                .filter(ClipMark.Sign.class::isInstance)
-                .map(ClipMark.Sign.class::cast)
+                .filter(ClipMark.MarkedSign.class::isInstance)
+                .map(ClipMark.MarkedSign.class::cast)
                 .filter(sign -> sign.shape() == shape);
     }
 
@@ -75,46 +77,50 @@ class ClipPictureTest {
     @Test
     void stepShowsItsSideItsPlaceAndItsNumber() {
         List<ClipMark> drawn = drawn(SegmentScene.first().withMethod("liang-barsky"), 1);
-        ClipMark.Line tested = lines(drawn, ClipMark.Ink.TESTED).findFirst().orElseThrow();
+        ClipMark.MarkedLine tested =
+                lines(drawn, ClipMark.MarkMeaning.TESTED).findFirst().orElseThrow();
         assertTrue(tested.points().stream().allMatch(p -> p.x() == 0), "the left side");
-        ClipMark.Sign enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow();
+        ClipMark.MarkedSign enters =
+                signs(drawn, ClipMark.SignShape.ENTERING).findFirst().orElseThrow();
         assertEquals(0, enters.at().x(), 1e-12);
         assertEquals("t = 0.2", enters.words());
-        assertEquals(0, lines(drawn, ClipMark.Ink.LEFT).count(), "a result before its time");
+        assertEquals(
+                0, lines(drawn, ClipMark.MarkMeaning.LEFT).count(), "a result before its time");
     }
 
     @Test
     void codeStepsShowTheCode() {
         List<ClipMark> drawn = drawn(SegmentScene.first(), 1);
-        ClipMark.Sign enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow();
+        ClipMark.MarkedSign enters =
+                signs(drawn, ClipMark.SignShape.ENTERING).findFirst().orElseThrow();
         assertEquals("1010", enters.words());
     }
 
     @Test
     void resultMarksWhatIsWrongByKind() {
         List<ClipMark> right = drawn(SegmentScene.first(), -1);
-        assertEquals(3, lines(right, ClipMark.Ink.LEFT).count());
-        assertEquals(0, lines(right, ClipMark.Ink.MISSING).count());
+        assertEquals(3, lines(right, ClipMark.MarkMeaning.LEFT).count());
+        assertEquals(0, lines(right, ClipMark.MarkMeaning.MISSING).count());
         List<ClipMark> wrong =
                 drawn(SegmentScene.first().withMethod("cohen-sutherland-textbook"), -1);
-        assertTrue(lines(wrong, ClipMark.Ink.MISSING).count() > 0);
-        assertTrue(lines(wrong, ClipMark.Ink.EXTRA).count() > 0);
+        assertTrue(lines(wrong, ClipMark.MarkMeaning.MISSING).count() > 0);
+        assertTrue(lines(wrong, ClipMark.MarkMeaning.EXTRA).count() > 0);
     }
 
     @Test
     void weilerAthertonShowsWhereTheBoundaryEntersAndLeaves() {
         PolygonClipScene scene = PolygonClipScene.first().withMethod("weiler-atherton");
         List<ClipMark> drawn = drawn(scene, 1);
-        ClipPoint enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow().at();
-        ClipPoint leaves = signs(drawn, ClipMark.Shape.LEAVING).findFirst().orElseThrow().at();
+        ClipPoint enters = signs(drawn, ClipMark.SignShape.ENTERING).findFirst().orElseThrow().at();
+        ClipPoint leaves = signs(drawn, ClipMark.SignShape.LEAVING).findFirst().orElseThrow().at();
         for (ClipPoint place : List.of(enters, leaves))
             assertTrue(place.x() == 0 || place.x() == 10 || place.y() == 6, place.toString());
     }
 
     @Test
     void sutherlandHodgmanShowsTheLineOfTheSide() {
-        ClipMark.Line tested =
-                lines(drawn(PolygonClipScene.first(), 2), ClipMark.Ink.TESTED)
+        ClipMark.MarkedLine tested =
+                lines(drawn(PolygonClipScene.first(), 2), ClipMark.MarkMeaning.TESTED)
                         .findFirst()
                         .orElseThrow();
         assertTrue(tested.points().stream().allMatch(p -> p.x() == 10), "the right side");
@@ -123,8 +129,8 @@ class ClipPictureTest {
     @Test
     void volumeHasTwelveEdgesAndHidesThoseBehind() {
         List<ClipMark> drawn = drawn(VolumeScene.first(), 0);
-        long seen = lines(drawn, ClipMark.Ink.WINDOW).count();
-        long hidden = lines(drawn, ClipMark.Ink.HIDDEN).count();
+        long seen = lines(drawn, ClipMark.MarkMeaning.WINDOW).count();
+        long hidden = lines(drawn, ClipMark.MarkMeaning.HIDDEN).count();
         assertEquals(12, seen + hidden);
         assertTrue(hidden > 0 && hidden < seen, hidden + " of 12 hidden");
     }
@@ -145,7 +151,8 @@ class ClipPictureTest {
                 VolumeScene.first()
                         .withSpace(VolumeSpace.CANONICAL)
                         .withView(new VolumeViewpoint(0, 0));
-        for (ClipMark.Line edge : lines(drawn(scene, 0), ClipMark.Ink.WINDOW).toList())
+        for (ClipMark.MarkedLine edge :
+                lines(drawn(scene, 0), ClipMark.MarkMeaning.WINDOW).toList())
             for (ClipPoint corner : edge.points()) {
                 assertEquals(1, Math.abs(corner.x()), 1e-12);
                 assertEquals(1, Math.abs(corner.y()), 1e-12);

@@ -164,7 +164,8 @@ class CourseMapPaneTest {
     }
 
     private Standings standings() {
-        var standings = new Standings(CourseServer.Patience.USUAL, events::add, failures::add);
+        var standings =
+                new Standings(CourseServer.ServerTimeouts.USUAL, events::add, failures::add);
         standings.readFrom(drafts);
         return standings;
     }

@@ -16,9 +16,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.course.Standing.Earned;
-import rasterlab.app.course.Standing.State;
+import rasterlab.app.course.Standing.StandingState;
+import rasterlab.app.course.Standings.KnownStandings;
 import rasterlab.app.course.Standings.Source;
-import rasterlab.app.course.Standings.Told;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.FakeServer;
@@ -37,7 +37,7 @@ class StandingsTest {
     @BeforeEach
     void open() throws IOException {
         server = new FakeServer();
-        standings = new Standings(CourseServer.Patience.USUAL, events::add, failures::add);
+        standings = new Standings(CourseServer.ServerTimeouts.USUAL, events::add, failures::add);
         standings.readFrom(drafts);
         LocalTries.note(drafts.resolve("circle.result.json"), new ScorePoints(9, 0, 0, 100));
     }
@@ -51,7 +51,7 @@ class StandingsTest {
 
     @Test
     void triesHereCountBeforeACourseIsJoined() throws InterruptedException {
-        Told told = look(Optional.empty());
+        KnownStandings told = look(Optional.empty());
         assertEquals(Source.HERE, told.source());
         assertEquals(new Earned(9, 100), told.of("circle").points().orElseThrow());
         assertEquals(Standing.NOT_TRIED, told.of("ellipse"));
@@ -70,21 +70,21 @@ class StandingsTest {
                  {"id":"color","state":"waiting","best":null,"points":{"total":100},
                   "deadline":null}]
                 """);
-        Told told = look(account());
+        KnownStandings told = look(account());
         assertEquals(Source.SERVER, told.source());
         assertEquals(
                 new Standing(
-                        State.NOT_TRIED,
+                        StandingState.NOT_TRIED,
                         Optional.empty(),
                         Optional.of(Instant.parse("2026-12-01T20:00:00Z"))),
                 told.of("circle"));
         assertEquals(Standing.graded(new Earned(81, 100)), told.of("ellipse"));
-        assertEquals(State.WAITING, told.of("color").state());
+        assertEquals(StandingState.WAITING, told.of("color").state());
     }
 
     @Test
     void triesHereCountWhereTheServerRefusesOrSaysNonsense() throws InterruptedException {
-        Told refused = look(account());
+        KnownStandings refused = look(account());
         assertEquals(Source.HERE_SERVER_SILENT, refused.source());
         assertEquals(server.address(), refused.detail());
         assertEquals(new Earned(9, 100), refused.of("circle").points().orElseThrow());
@@ -96,7 +96,7 @@ class StandingsTest {
         return Optional.of(new Account(URI.create(server.address()), "token", "Ada"));
     }
 
-    private Told look(Optional<Account> account) throws InterruptedException {
+    private KnownStandings look(Optional<Account> account) throws InterruptedException {
         standings.look(account);
         Runnable event = events.poll(60, TimeUnit.SECONDS);
         assertTrue(event != null, "nothing is told");

@@ -29,7 +29,7 @@ class BeginningTest {
     private final Exercise exercise = Catalogue.builtIn().named("predict-line");
 
     private Beginning beginning(Optional<Account> account) {
-        return new Beginning(exercise, account, CourseServer.Patience.USUAL);
+        return new Beginning(exercise, account, CourseServer.ServerTimeouts.USUAL);
     }
 
     /** The sheet of this machine, with an answer to its first question. */

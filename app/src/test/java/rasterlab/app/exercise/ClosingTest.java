@@ -3,9 +3,9 @@ package rasterlab.app.exercise;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static rasterlab.app.exercise.Closing.Answer.CLOSE_ANYWAY;
-import static rasterlab.app.exercise.Closing.Answer.SAVE_ELSEWHERE;
-import static rasterlab.app.exercise.Closing.Answer.STAY;
+import static rasterlab.app.exercise.Closing.ClosingDecision.CLOSE_ANYWAY;
+import static rasterlab.app.exercise.Closing.ClosingDecision.SAVE_ELSEWHERE;
+import static rasterlab.app.exercise.Closing.ClosingDecision.STAY;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -23,7 +23,7 @@ class ClosingTest {
     private static final UnsavedDraft FILL = new UnsavedDraft("fill", "of fills", "no folder");
 
     @TempDir Path folder;
-    private final Deque<Closing.Answer> answers = new ArrayDeque<>();
+    private final Deque<Closing.ClosingDecision> answers = new ArrayDeque<>();
     private final Deque<Optional<Path>> places = new ArrayDeque<>();
     private final List<List<UnsavedDraft>> asked = new ArrayList<>();
     private final List<String> told = new ArrayList<>();
@@ -33,7 +33,7 @@ class ClosingTest {
                 List.of(unsaved),
                 new Closing.User() {
                     @Override
-                    public Closing.Answer answer(List<UnsavedDraft> left) {
+                    public Closing.ClosingDecision answer(List<UnsavedDraft> left) {
                         asked.add(left);
                         return answers.removeFirst();
                     }

@@ -52,7 +52,7 @@ class FoldedRoomsTest {
                     model =
                             new ExerciseLabModel(
                                     () -> List.copyOf(Catalogue.builtIn().all()),
-                                    new CourseServer.Patience(PATIENCE, PATIENCE, PATIENCE),
+                                    new CourseServer.ServerTimeouts(PATIENCE, PATIENCE, PATIENCE),
                                     EventQueue::invokeLater,
                                     failures::add);
                     var editor = new WindowEditor();

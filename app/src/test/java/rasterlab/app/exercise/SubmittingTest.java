@@ -239,7 +239,7 @@ class SubmittingTest {
         "401, not-signed-in, TOKEN, join.token",
         "404, '', ADDRESS, server.refused"
     })
-    void refusalIsToldAtItsField(int status, String code, JoinAnswer.Field field, String key)
+    void refusalIsToldAtItsField(int status, String code, JoinAnswer.JoinField field, String key)
             throws Exception {
         try (var server = server();
                 var trial = new Trial(folder)) {

@@ -29,7 +29,7 @@ final class Trial implements AutoCloseable {
         model =
                 new ExerciseLabModel(
                         () -> List.copyOf(Catalogue.builtIn().all()),
-                        new CourseServer.Patience(patience, patience, patience),
+                        new CourseServer.ServerTimeouts(patience, patience, patience),
                         events::add,
                         failures::add);
         model.keepIn(folder);

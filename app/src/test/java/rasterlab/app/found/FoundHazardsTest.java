@@ -31,7 +31,7 @@ class FoundHazardsTest {
     }
 
     private List<MethodCase> kept(String topic) {
-        return all().of(topic).stream().map(FoundHazards.Kept::scene).toList();
+        return all().of(topic).stream().map(FoundHazards.KeptFind::scene).toList();
     }
 
     @Test

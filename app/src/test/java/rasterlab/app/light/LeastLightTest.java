@@ -58,19 +58,19 @@ class LeastLightTest {
         thread.settle(model::settle);
     }
 
-    private LitPlans.Pair wish(PlanWish wish) {
+    private LitPlans.ComparedPictures wish(PlanWish wish) {
         model.choose(choice -> choice.with(wish));
         settle();
         return pair();
     }
 
-    private LitPlans.Pair pair() {
-        return model.state().drawn().flatMap(LightFrame.Drawn::least).orElseThrow();
+    private LitPlans.ComparedPictures pair() {
+        return model.state().drawn().flatMap(LightFrame.DrawnFrame::least).orElseThrow();
     }
 
     private List<String> names() {
         return model.state().drawn().orElseThrow().pictures().stream()
-                .map(LightFrame.Picture::name)
+                .map(LightFrame.ShadedPicture::name)
                 .toList();
     }
 
@@ -83,7 +83,7 @@ class LeastLightTest {
     @DisplayName("the lab opens without its three shadings, or the least light is not beside them")
     void leastLightStandsBesideTheFullOne() {
         assertEquals(List.of("flat", "gouraud", "phong"), names());
-        LitPlans.Pair pair = wish(WISH);
+        LitPlans.ComparedPictures pair = wish(WISH);
         assertEquals(List.of("full", "least", "off"), names());
         assertTrue(pair.picture().plan().saves());
         Tolerance within = pair.picture().plan().tolerance();
@@ -99,7 +99,7 @@ class LeastLightTest {
     @Test
     @DisplayName("the plan is made anew for each view, or measured while the scene turns")
     void dragKeepsThePlanAndMeasuresAtItsEnd() {
-        LitPlans.Pair before = wish(WISH);
+        LitPlans.ComparedPictures before = wish(WISH);
         model.beginDrag();
         for (int k = 0; k < 3; k++) {
             model.turn(before.picture().plan().range().turn() / 5, 0);
@@ -116,7 +116,7 @@ class LeastLightTest {
     @Test
     @DisplayName("the light before stays in the picture, for the plan is kept")
     void otherLightIsPlannedAnew() {
-        LitPlans.Pair before = wish(WISH);
+        LitPlans.ComparedPictures before = wish(WISH);
         model.choose(choice -> choice.withAmbient(0.9));
         settle();
         assertFalse(Arrays.equals(before.full().argb(), pair().full().argb()));
@@ -132,10 +132,10 @@ class LeastLightTest {
     @Test
     @DisplayName("the difference is magnified though that is not wished")
     void differenceIsMagnifiedWhereItIsWished() {
-        LitPlans.Pair magnified = wish(WISH);
+        LitPlans.ComparedPictures magnified = wish(WISH);
         assertEquals(3, magnified.difference().largest());
         assertEquals(64, magnified.difference().factor());
-        LitPlans.Pair plain = wish(WISH.withMagnified(false));
+        LitPlans.ComparedPictures plain = wish(WISH.withMagnified(false));
         assertEquals(3, plain.difference().largest());
         assertEquals(1, plain.difference().factor());
     }

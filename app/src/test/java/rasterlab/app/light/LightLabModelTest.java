@@ -48,13 +48,13 @@ class LightLabModelTest {
         assertEquals(List.of(), failures);
     }
 
-    private LightFrame.Drawn drawn() {
+    private LightFrame.DrawnFrame drawn() {
         model.resize(WIDTH, HEIGHT);
         thread.settle(model::settle);
         return model.state().drawn().orElseThrow();
     }
 
-    private static int[] pixels(LightFrame.Drawn drawn, int shading) {
+    private static int[] pixels(LightFrame.DrawnFrame drawn, int shading) {
         return drawn.pictures().get(shading).raster().argb();
     }
 
@@ -99,7 +99,7 @@ class LightLabModelTest {
 
     @Test
     void threeShadingsOfOneBodyDiffer() {
-        LightFrame.Drawn drawn = drawn();
+        LightFrame.DrawnFrame drawn = drawn();
         assertFalse(Arrays.equals(pixels(drawn, 0), pixels(drawn, 1)));
         assertFalse(Arrays.equals(pixels(drawn, 1), pixels(drawn, 2)));
     }
@@ -108,9 +108,9 @@ class LightLabModelTest {
     void formulaGivesThePixelOfPhongsShading() {
         for (Reflection reflection : Reflection.values()) {
             model.choose(choice -> choice.with(reflection));
-            LightFrame.Drawn drawn = drawn();
+            LightFrame.DrawnFrame drawn = drawn();
             PointReading point = drawn.point().orElseThrow();
-            LightChoice.Marks at = drawn.choice().line();
+            LightChoice.LightMarks at = drawn.choice().line();
             var places = new MarkPlaces(WIDTH, HEIGHT);
             int argb =
                     drawn.pictures()
@@ -139,7 +139,7 @@ class LightLabModelTest {
     @Test
     void termLeftOutIsLeftOutOfPictureAndFormula() {
         model.choose(choice -> choice.withTerms(Set.of(LightTerm.EMISSION)));
-        LightFrame.Drawn drawn = drawn();
+        LightFrame.DrawnFrame drawn = drawn();
         assertArrayEquals(new double[3], drawn.point().orElseThrow().sum());
         assertTrue(Arrays.stream(pixels(drawn, 2)).anyMatch(argb -> argb == 0xFF000000));
     }
@@ -162,9 +162,9 @@ class LightLabModelTest {
     @Test
     void directionalLightHasNoAttenuationAndSpotHasACone() {
         Lamp lamp = Lamp.at(10, 20, 30).attenuated(0, 1, 0);
-        assertTrue(lamp.withKind(Lamp.Kind.SUN).light().directional());
-        assertEquals(1, lamp.withKind(Lamp.Kind.SUN).source().attenuation().factor(500));
-        Lamp spot = lamp.withKind(Lamp.Kind.SPOT).withCutoff(12);
+        assertTrue(lamp.withKind(Lamp.LampKind.SUN).light().directional());
+        assertEquals(1, lamp.withKind(Lamp.LampKind.SUN).source().attenuation().factor(500));
+        Lamp spot = lamp.withKind(Lamp.LampKind.SPOT).withCutoff(12);
         assertEquals(12, spot.source().cone().cutoff());
         assertArrayEquals(new double[] {-10, -20, -30}, spot.source().cone().direction());
         assertEquals(1, lamp.attenuated(0, 0, 0).constant(), "divided by 0");
@@ -178,7 +178,7 @@ class LightLabModelTest {
         Rectangle second = plan.picture(1);
         double depth = LightGrips.pixel(drawn(), model.state().choice().lamp())[2];
         grips.drag(
-                new LightGrip(LightGrip.Kind.LAMP, 0),
+                new LightGrip(LightGrip.LightGripKind.LAMP, 0),
                 new Point(second.x + 40, second.y + 60),
                 plan);
         double[] pixel = LightGrips.pixel(drawn(), model.state().choice().lamp());
@@ -223,7 +223,7 @@ class LightLabModelTest {
 
     @Test
     void profileOfFlatShadingHasStepsThatTheEyeExaggerates() {
-        LightFrame.Picture flat = drawn().pictures().get(0);
+        LightFrame.ShadedPicture flat = drawn().pictures().get(0);
         double highest = Arrays.stream(flat.brightness()).max().orElseThrow();
         assertTrue(Arrays.stream(flat.reported()).max().orElseThrow() > highest + 0.02);
     }

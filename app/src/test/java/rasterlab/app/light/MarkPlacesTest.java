@@ -42,7 +42,7 @@ class MarkPlacesTest {
     @ParameterizedTest(name = "a lamp at the edge of a picture of {0}×{1} is cut off")
     @CsvSource({"300, 500", "220, 140", "90, 200"})
     void lampsAreWhollyInThePicture(int width, int height) {
-        LightFrame.Drawn drawn = drawn(width, height);
+        LightFrame.DrawnFrame drawn = drawn(width, height);
         var box = new Rectangle(width, height);
         for (double[] to : new double[][] {{-1, -1}, {2, 2}}) {
             double[] far =
@@ -54,7 +54,9 @@ class MarkPlacesTest {
             model.choose(choice -> choice.withLamp(choice.lamp().moved(far[0], far[1], far[2])));
             Point2D at =
                     LightGrips.at(
-                            new LightGrip(LightGrip.Kind.LAMP, model.state().choice().selected()),
+                            new LightGrip(
+                                    LightGrip.LightGripKind.LAMP,
+                                    model.state().choice().selected()),
                             drawn,
                             model.state().choice(),
                             box);
@@ -73,7 +75,7 @@ class MarkPlacesTest {
         return drawn(width, height).point().orElseThrow().position();
     }
 
-    private LightFrame.Drawn drawn(int width, int height) {
+    private LightFrame.DrawnFrame drawn(int width, int height) {
         model.resize(width, height);
         thread.settle(model::settle);
         return model.state().drawn().orElseThrow();
@@ -84,9 +86,12 @@ class MarkPlacesTest {
         var grips = new LightGrips(model);
         var plan = new StagePlan(3 * USUAL, USUAL, 10);
         Rectangle box = plan.picture(0);
-        LightFrame.Drawn drawn = drawn(box.width, box.height);
-        for (LightGrip.Kind kind :
-                List.of(LightGrip.Kind.FROM, LightGrip.Kind.TO, LightGrip.Kind.POINT)) {
+        LightFrame.DrawnFrame drawn = drawn(box.width, box.height);
+        for (LightGrip.LightGripKind kind :
+                List.of(
+                        LightGrip.LightGripKind.FROM,
+                        LightGrip.LightGripKind.TO,
+                        LightGrip.LightGripKind.POINT)) {
             var grip = new LightGrip(kind, 0);
             for (var place : List.of(new Point(40, 9), new Point(201, 120), new Point(0, 0))) {
                 grips.drag(grip, place, plan);

@@ -60,13 +60,13 @@ class OpenedLitSceneTest {
     void opensAllThatWasChosen() {
         Lamp spot =
                 Lamp.at(50, 60, 90)
-                        .withKind(Lamp.Kind.SPOT)
+                        .withKind(Lamp.LampKind.SPOT)
                         .withCutoff(33)
                         .withExponent(7)
                         .colored(0x804020)
                         .withStrength(1.3);
         Lamp faint = Lamp.at(-80, 3, 20).attenuated(0.7, 0.3, 0.11).colored(0x336699);
-        Lamp sun = Lamp.at(1, 2, 3).withKind(Lamp.Kind.SUN).withStrength(0.35);
+        Lamp sun = Lamp.at(1, 2, 3).withKind(Lamp.LampKind.SUN).withStrength(0.35);
         assertOpened(
                 LightChoice.first()
                         .with(new LitBody("torus", 9, "angle"))

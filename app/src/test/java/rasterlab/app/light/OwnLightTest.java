@@ -65,7 +65,7 @@ class OwnLightTest {
         thread.settle(model::settle);
     }
 
-    private LightFrame.Drawn drawn() {
+    private LightFrame.DrawnFrame drawn() {
         return model.state().drawn().orElseThrow();
     }
 
@@ -103,7 +103,7 @@ class OwnLightTest {
     @Test
     void theLightOfASpotIsAskedForWithItsCone() {
         show("shade", "");
-        model.choose(choice -> choice.withLamp(choice.lamp().withKind(Lamp.Kind.SPOT)));
+        model.choose(choice -> choice.withLamp(choice.lamp().withKind(Lamp.LampKind.SPOT)));
         settle();
         assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
     }
@@ -117,7 +117,7 @@ class OwnLightTest {
                         choice.withLocalViewer(false)
                                 .withLamps(
                                         List.of(
-                                                Lamp.at(3, 1, 2).withKind(Lamp.Kind.SUN),
+                                                Lamp.at(3, 1, 2).withKind(Lamp.LampKind.SUN),
                                                 Lamp.at(90, 40, 60)))
                                 .with(new LitBody("vase", 12, LitBody.OWN)));
         settle();
@@ -135,14 +135,14 @@ class OwnLightTest {
     @Test
     void lightIsGoneThroughPointByPointBesideTheRightOne() {
         show("shade", HALF);
-        LightFrame.Drawn all = drawn();
+        LightFrame.DrawnFrame all = drawn();
         OwnSteps steps = all.steps().orElseThrow();
         assertEquals(told().of(), steps.count());
         String first = steps.words(1, Texts.of("light", Language.ENGLISH));
         String said = " of " + steps.count() + ", face ";
         assertTrue(first.startsWith("Point 1" + said), first);
         assertTrue(first.contains("my program has (1, 1, 1), right is ("), first);
-        LightFrame.Drawn one = all.upTo(1);
+        LightFrame.DrawnFrame one = all.upTo(1);
         assertEquals(pixel(all, 0, steps.point(1)), pixel(one, 0, steps.point(1)));
         int open = pixel(all.upTo(0), 0, steps.point(1));
         assertNotEquals(open, pixel(one, 0, steps.point(1)));
@@ -153,7 +153,7 @@ class OwnLightTest {
                 pixel(one, 1, steps.point(steps.count())));
     }
 
-    private static int pixel(LightFrame.Drawn drawn, int picture, double[] world) {
+    private static int pixel(LightFrame.DrawnFrame drawn, int picture, double[] world) {
         double[] at = drawn.places().toPicture(world[0], world[1], world[2]);
         Raster raster = drawn.pictures().get(picture).raster();
         return raster.argb()[(int) Math.rint(at[1]) * raster.width() + (int) Math.rint(at[0])];

@@ -51,7 +51,7 @@ class TopicBodiesTest {
         assertEquals(away.angle(new Vector3d(d[0], d[1], d[2])), toPoint.angle(axis), 1e-9);
         LightChoice shown =
                 TopicBodies.shown("shade/outside-the-cone", points("outside-the-cone"), "");
-        assertEquals(Lamp.Kind.SPOT, shown.lamp().kind());
+        assertEquals(Lamp.LampKind.SPOT, shown.lamp().kind());
         assertEquals(point.light().cone().cutoff(), shown.lamp().cutoff());
     }
 
@@ -70,14 +70,18 @@ class TopicBodiesTest {
     void methodsOwnNormalsAreShownWhereTheyHaveADirection() {
         TriangleSurface roof = input(new NormalsTopic().hazards(), "roof-with-a-long-side");
         TopicMesh own = TopicMesh.of(roof, "plain-textbook");
-        assertEquals(ShownDifference.Kind.NORMALS_LENGTHENED, own.differences().get(0).kind());
+        assertEquals(
+                ShownDifference.ShownDifferenceKind.NORMALS_LENGTHENED,
+                own.differences().get(0).kind());
         assertTrue(own.mesh().hasNormals());
         assertEquals(0, own.mesh().cornerNormal(0, 0, 0), 1e-12);
         assertEquals(1, own.mesh().cornerNormal(0, 0, 2), 1e-12);
         TriangleSurface tiny = input(new NormalsTopic().hazards(), "tiny-faces");
         TopicMesh faces = TopicMesh.of(tiny, "plain-textbook");
         assertEquals(
-                List.of(ShownDifference.Kind.SCALED, ShownDifference.Kind.FACE_NORMAL),
+                List.of(
+                        ShownDifference.ShownDifferenceKind.SCALED,
+                        ShownDifference.ShownDifferenceKind.FACE_NORMAL),
                 faces.differences().stream().map(ShownDifference::kind).toList());
         assertEquals(faces.mesh().normalZ(0), faces.mesh().cornerNormal(0, 1, 2));
     }
@@ -104,7 +108,9 @@ class TopicBodiesTest {
                         "black",
                         "formula",
                         verdict,
-                        List.of(ShownDifference.of(ShownDifference.Kind.COLOR_CUT))));
+                        List.of(
+                                ShownDifference.of(
+                                        ShownDifference.ShownDifferenceKind.COLOR_CUT))));
         assertEquals("black", model.state().note().orElseThrow().hazard());
         model.drawNormals(true);
         assertFalse(model.state().note().isPresent());

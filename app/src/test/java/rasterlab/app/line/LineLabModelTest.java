@@ -189,16 +189,16 @@ class LineLabModelTest {
     @Test
     void saysHowADrawingEnded() {
         var huge = new Segment(-1_200_000_000, 0, 1_200_000_000, 7);
-        assertEquals(LineTrace.Ending.CUT, ending("bresenham", huge));
-        assertEquals(LineTrace.Ending.REFUSED, ending("dda", huge));
+        assertEquals(LineTrace.TraceEnding.CUT, ending("bresenham", huge));
+        assertEquals(LineTrace.TraceEnding.REFUSED, ending("dda", huge));
         assertFalse(model.state().drawing().trace().message().isEmpty());
         int last = Integer.MAX_VALUE;
         var atTheEdge = new Segment(last - 7, 5, last, 8);
-        assertEquals(LineTrace.Ending.ENDLESS, ending("bresenham-textbook", atTheEdge));
-        assertEquals(LineTrace.Ending.ENDED, ending("bresenham", atTheEdge));
+        assertEquals(LineTrace.TraceEnding.ENDLESS, ending("bresenham-textbook", atTheEdge));
+        assertEquals(LineTrace.TraceEnding.ENDED, ending("bresenham", atTheEdge));
     }
 
-    private LineTrace.Ending ending(String method, Segment segment) {
+    private LineTrace.TraceEnding ending(String method, Segment segment) {
         model.chooseMethod(method);
         model.show(segment);
         settle();

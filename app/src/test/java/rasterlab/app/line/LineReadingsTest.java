@@ -107,7 +107,7 @@ class LineReadingsTest {
         model.show(new Segment(last - 7, 5, last, 8));
         model.settle();
         model.goTo(model.last());
-        assertEquals(LineTrace.Ending.ENDLESS, model.state().drawing().trace().ending());
+        assertEquals(LineTrace.TraceEnding.ENDLESS, model.state().drawing().trace().ending());
         var readings = new LineReadings(model.state(), Texts.of("line", Language.ENGLISH));
         assertEquals("–", readings.missing());
         assertEquals("–", readings.extra());

@@ -11,7 +11,7 @@ import rasterlab.app.opengl.context.OffscreenContext;
 
 /** A call that a core profile lacks ends the whole program; skipped where there is no OpenGL. */
 class CoreContextTest {
-    private static OffscreenContext open(OffscreenContext.Profile profile) {
+    private static OffscreenContext open(OffscreenContext.ContextProfile profile) {
         try {
             return OffscreenContext.open(profile);
         } catch (NoOpenGl e) {
@@ -22,7 +22,7 @@ class CoreContextTest {
     @Test
     @SuppressWarnings("try") // the context is current while it is open
     void coreContextIsRefusedBeforeAnythingIsDrawn() {
-        try (var context = open(OffscreenContext.Profile.CORE)) {
+        try (var context = open(OffscreenContext.ContextProfile.CORE)) {
             var refused = assertThrows(NoOpenGl.class, GlReport::ofCurrent);
             assertTrue(refused.getMessage().contains("glBegin"), refused.getMessage());
         }
@@ -31,7 +31,7 @@ class CoreContextTest {
     @Test
     @SuppressWarnings("try") // the context is current while it is open
     void oldContextHasWhatIsNeeded() {
-        try (var context = open(OffscreenContext.Profile.OLD)) {
+        try (var context = open(OffscreenContext.ContextProfile.OLD)) {
             GlReport report = GlReport.ofCurrent();
             assertTrue(report.lights() >= 8, report.toString());
             assertTrue(report.textureSide() >= 64, report.toString());

@@ -16,8 +16,8 @@ import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.polygon.figure.CornerList;
 import rasterlab.app.polygon.figure.CutFigure;
 import rasterlab.app.polygon.outcome.CutAnswer;
-import rasterlab.app.polygon.outcome.CutAnswer.Cut;
-import rasterlab.app.polygon.outcome.CutAnswer.Fault;
+import rasterlab.app.polygon.outcome.CutAnswer.CutTriangle;
+import rasterlab.app.polygon.outcome.CutAnswer.TriangleFault;
 
 class CutPictureTest {
     private static final int SIZE = 400;
@@ -25,7 +25,7 @@ class CutPictureTest {
     /** Where the number's text begins: its base line's left end. */
     private static Point number(List<Rectangle> labels) {
         var figure = new CutFigure(CornerList.of(0, 0, 30, 0, 0, 30));
-        var cut = new CutAnswer(List.of(new Cut(0, 1, 2, 1, Fault.NONE)), 1);
+        var cut = new CutAnswer(List.of(new CutTriangle(0, 1, 2, 1, TriangleFault.NONE)), 1);
         PlanePicture picture =
                 new CutPicture(figure, "fan", cut, List.of(), "", 1, List.of()).leaving(labels);
         var map = new PlaneMap(50, 350, 10, -10);

@@ -71,7 +71,7 @@ class PolygonLabModelTest {
     void opensWithStepsToLookAt(PolygonMode mode) {
         model.chooseMode(mode);
         MethodOutcome opened = outcome();
-        assertEquals(MethodOutcome.Ending.ENDED, opened.ending());
+        assertEquals(MethodOutcome.MethodEnding.ENDED, opened.ending());
         assertTrue(opened.steps() > 1);
         assertTrue(model.state().finished());
         assertEquals(opened.steps() + 1, model.last());
@@ -116,7 +116,7 @@ class PolygonLabModelTest {
     }
 
     private static String said(MethodOutcome outcome) {
-        if (outcome.ending() != MethodOutcome.Ending.ENDED) return outcome.ending().name();
+        if (outcome.ending() != MethodOutcome.MethodEnding.ENDED) return outcome.ending().name();
         return outcome.isRight() ? "right" : "wrong";
     }
 
@@ -239,12 +239,12 @@ class PolygonLabModelTest {
         model.show(PolygonMode.TRIANGULATION, "corner-in-the-ear");
         model.chooseMethod("shortest-diagonal-textbook");
         var cuts = ((CutAnswer) outcome().answer()).cuts();
-        assertEquals(CutAnswer.Fault.HOLDS_A_CORNER, cuts.get(0).fault());
-        assertEquals(CutAnswer.Fault.CLOCKWISE, cuts.get(1).fault());
+        assertEquals(CutAnswer.TriangleFault.HOLDS_A_CORNER, cuts.get(0).fault());
+        assertEquals(CutAnswer.TriangleFault.CLOCKWISE, cuts.get(1).fault());
         model.chooseMethod("ear-clipping");
         ((CutAnswer) outcome().answer())
                 .cuts()
-                .forEach(cut -> assertEquals(CutAnswer.Fault.NONE, cut.fault()));
+                .forEach(cut -> assertEquals(CutAnswer.TriangleFault.NONE, cut.fault()));
     }
 
     @Test

@@ -108,7 +108,7 @@ class PolygonPictureTest {
         List<Line2D> lines = pictures.of(scene, outcome, 1).lines(map, view);
         List<PolygonPoint> corners =
                 scene.figure().grips().entrySet().stream()
-                        .filter(each -> each.getKey().kind() == Grip.Kind.CORNER)
+                        .filter(each -> each.getKey().kind() == Grip.PolygonGripKind.CORNER)
                         .map(Map.Entry::getValue)
                         .toList();
         for (int i = 0; i < corners.size(); i++) {

@@ -19,12 +19,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.practice.Board.Cell;
-import rasterlab.app.practice.Board.Dot;
-import rasterlab.app.practice.Board.Look;
-import rasterlab.app.practice.Board.None;
-import rasterlab.app.practice.Board.Pixel;
-import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Board.BoardCell;
+import rasterlab.app.practice.Board.BoardDot;
+import rasterlab.app.practice.Board.BoardSpace;
+import rasterlab.app.practice.Board.FigureLook;
+import rasterlab.app.practice.Board.NoPick;
+import rasterlab.app.practice.Board.PixelPick;
 
 /** Zoom of the picture of a question, and what is clicked in it then. */
 class PracticeStageTest {
@@ -37,9 +37,11 @@ class PracticeStageTest {
                     Texts.of("practice", Language.ENGLISH), pick -> picked.add(pick.answer()));
     private final Board pixels =
             new Board(
-                    Space.PIXELS,
-                    List.of(new Cell(0, 0, Look.NEWEST), new Cell(30, 20, Look.DONE)),
-                    new Pixel("x", "y"));
+                    BoardSpace.PIXELS,
+                    List.of(
+                            new BoardCell(0, 0, FigureLook.NEWEST),
+                            new BoardCell(30, 20, FigureLook.DONE)),
+                    new PixelPick("x", "y"));
 
     @BeforeEach
     void show() {
@@ -134,11 +136,11 @@ class PracticeStageTest {
     void doubleClickInAPictureWithoutAnswersShowsEverything() {
         var plane =
                 new Board(
-                        Space.PLANE,
+                        BoardSpace.PLANE,
                         List.of(
-                                new Dot(new Point2D.Double(), "", Look.GIVEN),
-                                new Dot(new Point2D.Double(4, 3), "", Look.GIVEN)),
-                        new None());
+                                new BoardDot(new Point2D.Double(), "", FigureLook.GIVEN),
+                                new BoardDot(new Point2D.Double(4, 3), "", FigureLook.GIVEN)),
+                        new NoPick());
         stage.show(plane, true, true);
         String before = pointed();
         wheel(HERE, -3);

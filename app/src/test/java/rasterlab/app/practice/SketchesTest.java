@@ -24,9 +24,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.StageColors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.practice.Board.Named;
-import rasterlab.app.practice.Board.Pixel;
-import rasterlab.app.practice.Board.Run;
+import rasterlab.app.practice.Board.NamedPick;
+import rasterlab.app.practice.Board.PixelPick;
+import rasterlab.app.practice.Board.RunPick;
 import rasterlab.app.practice.Sketch.Walked;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise;
@@ -105,22 +105,22 @@ class SketchesTest {
     /** The answers of clicks at the right places; none where nothing is clicked. */
     private static List<StagePick> clicked(
             Board board, BoardFrame frame, ObjectNode right, ObjectNode told) {
-        if (board.picking() instanceof Pixel pixel)
+        if (board.picking() instanceof PixelPick pixel)
             return List.of(at(board, frame, number(right, pixel.x()), number(right, pixel.y())));
-        if (board.picking() instanceof Run run) {
+        if (board.picking() instanceof RunPick run) {
             int y = run.row().isEmpty() ? number(told, "y") : number(right, run.row());
             var from = new Point(number(right, run.from()), y);
             var to = new Point(number(right, run.to()) - 1, y);
             return List.of(StagePick.pixels(run, to, from));
         }
-        if (board.picking() instanceof Board.Point point)
+        if (board.picking() instanceof Board.PointPick point)
             return plane(
                     board,
                     frame,
                     new Point2D.Double(
                             right.get(point.x()).doubleValue(),
                             right.get(point.y()).doubleValue()));
-        if (!(board.picking() instanceof Named named)) return List.of();
+        if (!(board.picking() instanceof NamedPick named)) return List.of();
         return named.targets().stream()
                 .filter(one -> one.value().asText().equals(right.get(named.field()).asText()))
                 .flatMap(one -> one.points().stream())
@@ -157,10 +157,10 @@ class SketchesTest {
                 Walked walked = new Walked(input, one.before(), one.told(), Optional.empty());
                 List<List<Point2D>> drawn =
                         Sketches.of("triangulate").orElseThrow().of(walked).figures().stream()
-                                .filter(Board.Path.class::isInstance)
-                                .map(Board.Path.class::cast)
+                                .filter(Board.BoardPath.class::isInstance)
+                                .map(Board.BoardPath.class::cast)
                                 .filter(path -> !path.closed())
-                                .map(Board.Path::points)
+                                .map(Board.BoardPath::points)
                                 .toList();
                 List<List<Point2D>> right =
                         one.before().stream()
@@ -182,7 +182,7 @@ class SketchesTest {
         each(
                 topic,
                 (question, board, place) -> {
-                    if (!(board.picking() instanceof Pixel pixel)) return;
+                    if (!(board.picking() instanceof PixelPick pixel)) return;
                     ObjectNode right = question.right();
                     Point at =
                             view(

@@ -125,9 +125,9 @@ class OwnRowTest {
     @ValueSource(strings = {"texture-mapping", "depth-triangle", "mipmap"})
     void whatIsRightIsShownBesideAProgramWithoutAnAnswer(String id) throws InterruptedException {
         RowScene scene = scene(id, "public class Mine {");
-        RowScene.Numbers numbers = scene.numbers().apply(0);
+        RowScene.PixelNumbers numbers = scene.numbers().apply(0);
         assertEquals("right", numbers.headings().get(numbers.headings().size() - 1));
-        for (RowScene.Line line : numbers.lines()) assertEquals(1, line.values().length);
+        for (RowScene.NumberRow line : numbers.lines()) assertEquals(1, line.values().length);
     }
 
     @Test

@@ -94,7 +94,7 @@ class RowLabModelTest {
         RowScene scene = scene(shown(topic, hazard.name(), method.name()));
         if (scene.verdict().kind() != Verdict.Kind.EXACT || topic.equals("texture-filter")) return;
         if (hazard.name().equals("twice-the-same")) return;
-        for (RowScene.Band band : scene.bands())
+        for (RowScene.ColorBand band : scene.bands())
             assertArrayEquals(scene.bands().get(0).argb(), band.argb(), band.key());
     }
 
@@ -109,7 +109,7 @@ class RowLabModelTest {
     void numbersAreThoseOfTheChosenPixel() {
         RowLabModel model = shown("texture-mapping", "floor", "affine");
         model.choosePixel(299);
-        RowScene.Line t = scene(model).numbers().apply(299).lines().get(1);
+        RowScene.NumberRow t = scene(model).numbers().apply(299).lines().get(1);
         assertEquals("t", t.name());
         assertArrayEquals(new double[] {1, 1}, t.values());
         model.choosePixel(150);

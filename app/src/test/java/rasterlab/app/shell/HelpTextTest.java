@@ -28,7 +28,7 @@ class HelpTextTest {
             HelpText help = HelpText.of(tab, "", language);
             assertTrue(help.sections().get(0).ways().size() >= 4, help.toString());
             for (HelpText.Section section : help.sections())
-                for (HelpText.Way way : section.ways()) {
+                for (HelpText.HelpEntry way : section.ways()) {
                     assertFalse(way.by().isBlank());
                     assertFalse(way.does().isBlank());
                 }

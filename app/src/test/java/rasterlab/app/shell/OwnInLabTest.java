@@ -97,7 +97,7 @@ class OwnInLabTest {
         assertEquals(
                 new LineChoice(new Segment(1, 2, 4, 2), OwnMethods.NAME, "naive"),
                 MadeLabs.line(models).state().choice());
-        assertEquals(LineTrace.Ending.ENDED, trace().ending());
+        assertEquals(LineTrace.TraceEnding.ENDED, trace().ending());
         assertEquals(4, MadeLabs.line(models).state().drawing().pixels());
         assertEquals(4, MadeLabs.line(models).state().drawing().x(1));
         assertEquals(List.of("line"), tabs);
@@ -109,7 +109,7 @@ class OwnInLabTest {
             throws InterruptedException {
         var scene = new MethodCase("line", Optional.of("dda"), "{\"from\":[1,2],\"to\":[2,2]}");
         String source = line("out.plot(x0, y0); out.plot(9, 9);");
-        var own = new FirstCase.Program(LINE, source, "Mine.java");
+        var own = new FirstCase.WrittenSource(LINE, source, "Mine.java");
         opening.showCase(new FirstCase(scene, Optional.of(own)));
         settle();
         assertEquals(
@@ -141,7 +141,7 @@ class OwnInLabTest {
     @Test
     void anEndlessOneIsStoppedWithAMessageInBothLanguages() throws InterruptedException {
         show(line("while (x0 == 1) y0 += 2;"), "{\"from\":[1,2],\"to\":[4,2]}");
-        assertEquals(LineTrace.Ending.REFUSED, trace().ending());
+        assertEquals(LineTrace.TraceEnding.REFUSED, trace().ending());
         assertEquals(
                 Optional.of("Your program did not answer within 2 s and was stopped"),
                 OwnWords.refusal(OwnMethods.NAME, trace().message(), Language.ENGLISH));
@@ -150,13 +150,13 @@ class OwnInLabTest {
                 OwnWords.refusal(OwnMethods.NAME, trace().message(), Language.RUSSIAN));
         MadeLabs.line(models).moveEnd(End.A, 0, 2);
         settle();
-        assertEquals(LineTrace.Ending.ENDED, trace().ending());
+        assertEquals(LineTrace.TraceEnding.ENDED, trace().ending());
     }
 
     @Test
     void oneThatEndsItsProcessIsNotRun() throws InterruptedException {
         show(line("System.exit(1);"), "");
-        assertEquals(LineTrace.Ending.REFUSED, trace().ending());
+        assertEquals(LineTrace.TraceEnding.REFUSED, trace().ending());
         assertTrue(trace().message().contains("because of line 4"), trace().message());
     }
 
@@ -171,7 +171,7 @@ class OwnInLabTest {
     void withoutAProgramTheMethodSaysHowToGetOne() throws InterruptedException {
         MadeLabs.line(models).chooseMethod(OwnMethods.NAME);
         settle();
-        assertEquals(LineTrace.Ending.REFUSED, trace().ending());
+        assertEquals(LineTrace.TraceEnding.REFUSED, trace().ending());
         assertTrue(trace().message().startsWith("there is no program of yours yet"));
     }
 
@@ -291,7 +291,7 @@ class OwnInLabTest {
         models.own().bring(exercise, exercise.evidence().model().orElse(OwnSources.SEGMENTS));
         opening.showOwn("line", json, "");
         settle();
-        assertEquals(LineTrace.Ending.ENDED, trace().ending(), trace().message());
+        assertEquals(LineTrace.TraceEnding.ENDED, trace().ending(), trace().message());
         assertTrue(trace().pixels().size() > 0);
         var difference = MadeLabs.line(models).state().drawing().difference();
         assertEquals(0, difference.extra().size());

@@ -198,7 +198,7 @@ class CurveLabModelTest {
             assertEquals(verdict == Verdict.Kind.EXACT, drawing.right(), place);
             assertEquals(
                     verdict == Verdict.Kind.REFUSED,
-                    drawing.ending() == CurveDrawing.Ending.REFUSED,
+                    drawing.ending() == CurveDrawing.CurveEnding.REFUSED,
                     place);
         }
     }

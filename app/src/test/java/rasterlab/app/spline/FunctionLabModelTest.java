@@ -64,12 +64,12 @@ class FunctionLabModelTest {
     void knotDraggedPastItsNeighbourIsRefusedAndComesBack() {
         model.move(3, 4.5, 1);
         settle();
-        assertEquals(FunctionDrawing.Ending.REFUSED, model.state().drawing().ending());
+        assertEquals(FunctionDrawing.FunctionEnding.REFUSED, model.state().drawing().ending());
         assertTrue(model.state().at().isEmpty());
         assertEquals(0, model.last());
         model.move(3, 3.5, 1);
         settle();
-        assertEquals(FunctionDrawing.Ending.ENDED, model.state().drawing().ending());
+        assertEquals(FunctionDrawing.FunctionEnding.ENDED, model.state().drawing().ending());
         assertEquals(model.last(), model.step());
     }
 
@@ -78,7 +78,7 @@ class FunctionLabModelTest {
     void graphKeepsToItsEnds(SplineEnds.Kind kind) {
         model.chooseEnds(new SplineEnds(kind, 0, 0));
         settle();
-        assertEquals(FunctionDrawing.Ending.ENDED, model.state().drawing().ending());
+        assertEquals(FunctionDrawing.FunctionEnding.ENDED, model.state().drawing().ending());
         model.readAt(0);
         FunctionAt first = model.state().at().orElseThrow();
         model.readAt(1);
@@ -110,7 +110,7 @@ class FunctionLabModelTest {
         model.remove(0);
         model.add(9, 3);
         settle();
-        assertEquals(FunctionDrawing.Ending.ENDED, model.state().drawing().ending());
+        assertEquals(FunctionDrawing.FunctionEnding.ENDED, model.state().drawing().ending());
     }
 
     @Test
@@ -168,7 +168,7 @@ class FunctionLabModelTest {
             String place = hazard.name() + ": " + drawing.message();
             assertEquals(
                     verdict == Verdict.Kind.REFUSED,
-                    drawing.ending() == FunctionDrawing.Ending.REFUSED,
+                    drawing.ending() == FunctionDrawing.FunctionEnding.REFUSED,
                     place);
             assertEquals(verdict == Verdict.Kind.EXACT, drawing.right(), place);
             if (hazard.input().shape())

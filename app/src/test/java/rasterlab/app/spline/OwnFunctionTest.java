@@ -85,7 +85,7 @@ class OwnFunctionTest {
         show(EXERCISE.evidence().model().orElseThrow());
         model.goTo(model.last());
         assertEquals(13, model.state().answers().size());
-        for (FunctionDrawing.Answer each : model.state().answers())
+        for (FunctionDrawing.FunctionAnswer each : model.state().answers())
             assertFalse(each.wrong(), "" + each);
     }
 }

@@ -116,8 +116,8 @@ class TourSectionsTest {
         assertFalse(html.contains("пологий"), html);
     }
 
-    private static GradingSection.Graded graded(String json) throws Exception {
+    private static GradingSection.GradedSolution graded(String json) throws Exception {
         JsonNode result = new ObjectMapper().readTree(json);
-        return new GradingSection.Graded("wrong", result, 1.26);
+        return new GradingSection.GradedSolution("wrong", result, 1.26);
     }
 }

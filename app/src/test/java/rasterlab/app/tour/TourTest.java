@@ -34,7 +34,7 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.shell.UsualLook;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.study.HazardMatrix;
-import rasterlab.app.tour.LabPictures.Look;
+import rasterlab.app.tour.LabPictures.TabLook;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -144,7 +144,7 @@ class TourTest {
                         System.err::println);
         Supplier<Study> charted = () -> studies.of(new ShadeTopic());
         List<String> labs = List.of("chart", "checked");
-        var looks = List.of(new Look(LabTheme.LIGHT, Language.RUSSIAN));
+        var looks = List.of(new TabLook(LabTheme.LIGHT, Language.RUSSIAN));
         assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted, looks))));
         // Which methods are beaten, and so pale, is measured; the band of exact results is not.
         assertTrue(pixels("chart", EXACT_BAND) > 5000, "no chart");
@@ -175,7 +175,7 @@ class TourTest {
         var tour = new Tour(folder, Language.ENGLISH, System.err);
         List<String> labs = List.of("depth-rows", "texture-rows", "filter-rows");
         Supplier<Study> charted = () -> fail("no chart is wanted");
-        assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted, Look.all()))));
+        assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted, TabLook.all()))));
         String html = Files.readString(tour.index());
         for (String lab : labs)
             for (String look : List.of("en-light", "en-dark", "ru-light", "ru-dark"))

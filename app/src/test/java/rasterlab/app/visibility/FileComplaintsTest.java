@@ -125,7 +125,7 @@ class FileComplaintsTest {
             })
     void brokenFileIsToldInRussian(String name, String content) throws IOException {
         Path file = Files.writeString(folder.resolve(name), content);
-        SceneFiles.Answer answer = SceneFiles.read(file);
+        SceneFiles.SceneAnswer answer = SceneFiles.read(file);
         assertRussian(answer.problem().isEmpty() ? refusal(answer) : answer.problem());
     }
 
@@ -146,7 +146,7 @@ class FileComplaintsTest {
     }
 
     /** The parts of a readable file that the lab cannot show. */
-    private static String refusal(SceneFiles.Answer answer) {
+    private static String refusal(SceneFiles.SceneAnswer answer) {
         return assertThrows(
                         IllegalArgumentException.class,
                         () -> answer.change().apply(VisibilityChoice.first()))
@@ -220,7 +220,7 @@ class FileComplaintsTest {
     void pipeIsToldInRussian() throws Exception {
         for (String name : new String[] {"one.obj", "one.scene.json", "one.png"}) {
             Path pipe = Pipe.at(folder.resolve(name));
-            SceneFiles.Answer answer = SceneFiles.read(pipe);
+            SceneFiles.SceneAnswer answer = SceneFiles.read(pipe);
             assertRussian(answer.problem());
             assertTrue(answer.problem().contains("pipe"), answer.problem());
         }

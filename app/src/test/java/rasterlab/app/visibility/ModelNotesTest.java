@@ -24,7 +24,7 @@ class ModelNotesTest {
         Path file = folder.resolve("a.obj");
         Files.writeString(
                 file, "usemtl B\nv 0 0 0\nv 1 0 0\nv 0 1 0\nfoo\nvn 0 0 0\nbar\nf 1 2 3\n");
-        SceneFiles.Answer answer = SceneFiles.read(file);
+        SceneFiles.SceneAnswer answer = SceneFiles.read(file);
         assertEquals("", answer.problem());
         assertEquals("a.obj", answer.change().apply(VisibilityChoice.first()).scene());
         assertEquals(

@@ -393,7 +393,7 @@ class VisibilityLabModelTest {
         }
     }
 
-    private static ChartStudies.Question asked(StageView view, StageColors colors) {
-        return new ChartStudies.Question(view, Language.ENGLISH, colors, ChartSize.USUAL);
+    private static ChartStudies.ChartRequest asked(StageView view, StageColors colors) {
+        return new ChartStudies.ChartRequest(view, Language.ENGLISH, colors, ChartSize.USUAL);
     }
 }

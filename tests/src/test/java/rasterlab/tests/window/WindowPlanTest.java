@@ -120,9 +120,13 @@ class WindowPlanTest extends WindowHarness {
         assertFalse(isSeen("least.timed.value"));
     }
 
-    private Optional<LitPlans.Pair> lit() {
+    private Optional<LitPlans.ComparedPictures> lit() {
         return GuiActionRunner.execute(
-                () -> models.of(new LightRoom()).state().drawn().flatMap(LightFrame.Drawn::least));
+                () ->
+                        models.of(new LightRoom())
+                                .state()
+                                .drawn()
+                                .flatMap(LightFrame.DrawnFrame::least));
     }
 
     @Test

@@ -21,7 +21,7 @@ import rasterlab.app.canvas.work.LatestReading;
  */
 public final class KeptFile<K, S, A> implements Kept<K> {
     /** Reads files and shows them. */
-    public interface Lab<K, S, A> {
+    public interface FileLab<K, S, A> {
         Class<K> keptType();
 
         S shown();
@@ -51,7 +51,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         void tell(String problem);
     }
 
-    private final Lab<K, S, A> lab;
+    private final FileLab<K, S, A> lab;
     private final Consumer<Supplier<Runnable>> reader;
     private Optional<Coming<K, S>> coming = Optional.empty();
     private int asked;
@@ -63,7 +63,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
      * @param reader as {@link LatestReading}: runs on the lab's thread what a reading answers,
      *     unless a newer one has come meanwhile
      */
-    public KeptFile(Lab<K, S, A> lab, Consumer<Supplier<Runnable>> reader) {
+    public KeptFile(FileLab<K, S, A> lab, Consumer<Supplier<Runnable>> reader) {
         this.lab = lab;
         this.reader = reader;
     }

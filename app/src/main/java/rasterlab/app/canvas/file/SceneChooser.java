@@ -46,7 +46,7 @@ public final class SceneChooser extends SaveChooser {
      */
     public Optional<Path> toOpen(Component parent, String description, List<String> endings) {
         setName("open.dialog");
-        setFileFilter(new Ending(description, endings));
+        setFileFilter(new EndingFilter(description, endings));
         addChoosableFileFilter(scenes);
         return super.toOpen(parent);
     }
@@ -58,16 +58,16 @@ public final class SceneChooser extends SaveChooser {
     }
 
     static FileFilter scenes(Language language) {
-        return new Ending(
+        return new EndingFilter(
                 Texts.of("canvas", language).text("files.scenes"), List.of(SceneText.EXTENSION));
     }
 
     /** Folders, and files whose names end so in any case. */
-    static final class Ending extends FileFilter {
+    static final class EndingFilter extends FileFilter {
         private final String description;
         private final List<String> endings;
 
-        Ending(String description, List<String> endings) {
+        EndingFilter(String description, List<String> endings) {
             this.description = description;
             this.endings = endings;
         }

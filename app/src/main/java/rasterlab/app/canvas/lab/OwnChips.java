@@ -29,12 +29,12 @@ public final class OwnChips implements HierarchyListener {
 
     /** Finds the cases of a topic. */
     @FunctionalInterface
-    public interface Offer {
+    public interface CaseFinder {
         List<OwnCase> of(String topic);
     }
 
     /** Offers cases to all chips in a lab, also to those that are made later. */
-    public static void offer(JComponent lab, Offer cases) {
+    public static void offer(JComponent lab, CaseFinder cases) {
         lab.putClientProperty(OFFERED, cases);
     }
 
@@ -48,7 +48,7 @@ public final class OwnChips implements HierarchyListener {
         if (added || (e.getChangeFlags() & HierarchyEvent.PARENT_CHANGED) == 0) return;
         for (Container each = chips.getParent(); each != null; each = each.getParent())
             if (each instanceof JComponent lab
-                    && lab.getClientProperty(OFFERED) instanceof Offer offer) {
+                    && lab.getClientProperty(OFFERED) instanceof CaseFinder offer) {
                 added = true;
                 List<OwnCase> cases = offer.of(topic);
                 for (int i = 0; i < cases.size(); i++) add(cases.get(i), i);

@@ -13,9 +13,9 @@ import rasterlab.app.language.Texts;
  * @param parts of the sentence, such as sizes; the texts have them as they are written, and behind
  *     them once more as they are
  */
-public record ShownDifference(Kind kind, List<Object> parts) {
+public record ShownDifference(ShownDifferenceKind kind, List<Object> parts) {
     /** The kind of a difference; each is a sentence. */
-    public enum Kind {
+    public enum ShownDifferenceKind {
         /** The picture has only those faces of a body that the method calls visible. */
         FACES_FOUND,
         /** A body is drawn whole, since the method calls no face visible or not. */
@@ -64,7 +64,7 @@ public record ShownDifference(Kind kind, List<Object> parts) {
         parts = List.copyOf(parts);
     }
 
-    public static ShownDifference of(Kind kind, Object... parts) {
+    public static ShownDifference of(ShownDifferenceKind kind, Object... parts) {
         return new ShownDifference(kind, Arrays.asList(parts));
     }
 

@@ -9,23 +9,23 @@ import java.util.stream.Stream;
  *
  * @param parts from left to right
  */
-public record Formula(List<Part> parts) {
+public record Formula(List<FormulaPart> parts) {
     public Formula {
         parts = List.copyOf(parts);
     }
 
-    public static Formula of(Part... parts) {
+    public static Formula of(FormulaPart... parts) {
         return new Formula(List.of(parts));
     }
 
     /** Something that stands in the line. */
-    public sealed interface Part {
+    public sealed interface FormulaPart {
         /** The formula for assistive technology and as text. */
         String said();
     }
 
     /** Words or a sign, such as {@code T·M =}. */
-    public record Words(String said) implements Part {}
+    public record FormulaWords(String said) implements FormulaPart {}
 
     /**
      * A matrix in square brackets.
@@ -33,7 +33,7 @@ public record Formula(List<Part> parts) {
      * @param heads above the brackets, one for each column; none where they are empty
      * @param cells row by row, all rows equally long
      */
-    public record Matrix(List<String> heads, List<List<String>> cells) implements Part {
+    public record Matrix(List<String> heads, List<List<String>> cells) implements FormulaPart {
         public Matrix {
             heads = List.copyOf(heads);
             cells = cells.stream().map(List::copyOf).toList();
@@ -75,6 +75,6 @@ public record Formula(List<Part> parts) {
 
     /** The whole line as text. */
     public String said() {
-        return parts.stream().map(Part::said).collect(Collectors.joining(" "));
+        return parts.stream().map(FormulaPart::said).collect(Collectors.joining(" "));
     }
 }

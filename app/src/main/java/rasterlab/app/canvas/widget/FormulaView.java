@@ -90,7 +90,7 @@ public final class FormulaView extends SelfDrawn {
     private static void paint(Graphics2D g, Formula line, int top, int height) {
         FontMetrics metrics = g.getFontMetrics();
         int x = 0;
-        for (Formula.Part part : line.parts()) {
+        for (Formula.FormulaPart part : line.parts()) {
             if (part instanceof Formula.Matrix matrix) {
                 int tall = height(matrix, metrics);
                 paint(g, matrix, x, top + (height - tall) / 2);
@@ -137,11 +137,12 @@ public final class FormulaView extends SelfDrawn {
 
     private static int width(Formula line, FontMetrics metrics) {
         int width = 0;
-        for (Formula.Part part : line.parts()) width += width(part, metrics) + space(metrics);
+        for (Formula.FormulaPart part : line.parts())
+            width += width(part, metrics) + space(metrics);
         return width;
     }
 
-    private static int width(Formula.Part part, FontMetrics metrics) {
+    private static int width(Formula.FormulaPart part, FontMetrics metrics) {
         if (!(part instanceof Formula.Matrix matrix)) return metrics.stringWidth(part.said());
         int width = 2 * bracket(metrics) + (matrix.columns() - 1) * 2 * space(metrics);
         for (int column = 0; column < matrix.columns(); column++)

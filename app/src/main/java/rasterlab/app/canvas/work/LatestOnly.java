@@ -21,7 +21,7 @@ import java.util.function.Consumer;
 public final class LatestOnly<Q, A> implements AutoCloseable {
     /** Work that takes longer than a frame. */
     @FunctionalInterface
-    public interface Work<Q, A> {
+    public interface LongWork<Q, A> {
         /**
          * @param cancelled asked often; the answer is of no use once it is true
          * @throws CancellationException when it stopped because of {@code cancelled}
@@ -29,7 +29,7 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
         A answer(Q question, BooleanSupplier cancelled);
     }
 
-    private final Work<Q, A> work;
+    private final LongWork<Q, A> work;
     private final BiConsumer<Q, A> answered;
     private final Consumer<Throwable> failed;
     private final Thread worker;
@@ -47,7 +47,7 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
      */
     public LatestOnly(
             String threadName,
-            Work<Q, A> work,
+            LongWork<Q, A> work,
             BiConsumer<Q, A> answered,
             Consumer<Throwable> failed) {
         this.work = work;

@@ -14,15 +14,15 @@ import rasterlab.exercises.proving.Proving;
 final class ProofPool implements AutoCloseable {
     private final Grading judge;
     private final long seed;
-    private final Progress progress;
+    private final ProofListener progress;
     private final ExecutorService workers;
 
     /** Hears from several threads that a proof begins. */
-    interface Progress {
+    interface ProofListener {
         void begun(Exercise one, int place, int of);
     }
 
-    ProofPool(Grading judge, long seed, Progress progress) {
+    ProofPool(Grading judge, long seed, ProofListener progress) {
         this.judge = judge;
         this.seed = seed;
         this.progress = progress;

@@ -96,7 +96,7 @@ public final class SubmitCommand implements Callable<Integer> {
         String source = SourceFile.read(file);
         try {
             return handedIn(
-                    new CourseServer(address, CourseServer.Patience.USUAL),
+                    new CourseServer(address, CourseServer.ServerTimeouts.USUAL),
                     secret,
                     source,
                     catalogue);

@@ -10,18 +10,18 @@ import rasterlab.engine.visibility.ClipPlane;
  * Reads a plane A,B,C,D, of which what has Ax + By + Cz + D below 0 is cut off; or none, which
  * takes a scene file's planes back.
  */
-final class ClipPlaneOption implements ITypeConverter<ClipPlaneOption.Cut> {
+final class ClipPlaneOption implements ITypeConverter<ClipPlaneOption.ClipPlaneValue> {
     /**
      * @param plane empty where nothing is cut off
      */
-    record Cut(Optional<ClipPlane> plane) {}
+    record ClipPlaneValue(Optional<ClipPlane> plane) {}
 
     /**
      * The planes that are given one by one.
      *
      * @throws IllegalArgumentException for none beside others
      */
-    static List<ClipPlane> planes(List<Cut> cuts) {
+    static List<ClipPlane> planes(List<ClipPlaneValue> cuts) {
         List<ClipPlane> planes = cuts.stream().flatMap(cut -> cut.plane().stream()).toList();
         if (!planes.isEmpty() && planes.size() < cuts.size())
             throw new IllegalArgumentException("--clip-plane none must stand alone");
@@ -29,14 +29,14 @@ final class ClipPlaneOption implements ITypeConverter<ClipPlaneOption.Cut> {
     }
 
     @Override
-    public Cut convert(String text) {
-        if (text.equals(LookOptions.NONE)) return new Cut(Optional.empty());
+    public ClipPlaneValue convert(String text) {
+        if (text.equals(LookOptions.NONE)) return new ClipPlaneValue(Optional.empty());
         String[] parts = text.split(",", -1);
         if (parts.length != 4) throw noPlane(text);
         try {
             double[] p = new double[4];
             for (int i = 0; i < 4; i++) p[i] = Double.parseDouble(parts[i].strip());
-            return new Cut(Optional.of(new ClipPlane(p[0], p[1], p[2], p[3])));
+            return new ClipPlaneValue(Optional.of(new ClipPlane(p[0], p[1], p[2], p[3])));
         } catch (NumberFormatException e) {
             throw noPlane(text);
         } catch (IllegalArgumentException e) {

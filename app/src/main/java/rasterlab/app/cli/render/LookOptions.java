@@ -102,7 +102,7 @@ final class LookOptions {
                             + ClipPlane.MOST
                             + " times; or none",
             converter = ClipPlaneOption.class)
-    private List<ClipPlaneOption.Cut> clipPlanes;
+    private List<ClipPlaneOption.ClipPlaneValue> clipPlanes;
 
     @Option(
             names = "--depth-cue",

@@ -39,7 +39,7 @@ record HazardPages(Console console, Path place) {
 
     /** Whether every verdict is the recorded one. */
     private boolean write(Topic<?, ?, ?> topic, Path file) {
-        HazardPage.Written page = HazardPage.of(topic, HazardTrial.WALL_LIMIT, language());
+        HazardPage.HazardDocument page = HazardPage.of(topic, HazardTrial.WALL_LIMIT, language());
         write(file, page.html());
         return page.matrix().asRecorded();
     }

@@ -14,7 +14,7 @@ public final class ClipRecord {
     private final boolean decidesByCode;
     private final List<ClipStep> steps = new ArrayList<>();
     private final PartCapture capture = new PartCapture(Integer.MAX_VALUE);
-    private Clipping.Ending ending = Clipping.Ending.ENDED;
+    private Clipping.ClipEnding ending = Clipping.ClipEnding.ENDED;
     private String message = "";
 
     /**
@@ -46,11 +46,11 @@ public final class ClipRecord {
     }
 
     void endless() {
-        end(Clipping.Ending.ENDLESS, "");
+        end(Clipping.ClipEnding.ENDLESS, "");
     }
 
     void refuse(String reason) {
-        end(Clipping.Ending.REFUSED, reason);
+        end(Clipping.ClipEnding.REFUSED, reason);
     }
 
     /** Runs something a method may refuse or crash in; the first such end counts. */
@@ -60,12 +60,12 @@ public final class ClipRecord {
         } catch (IllegalArgumentException e) {
             refuse(e.getMessage());
         } catch (RuntimeException e) {
-            end(Clipping.Ending.CRASHED, e.toString());
+            end(Clipping.ClipEnding.CRASHED, e.toString());
         }
     }
 
-    private void end(Clipping.Ending how, String why) {
-        if (ending != Clipping.Ending.ENDED) return;
+    private void end(Clipping.ClipEnding how, String why) {
+        if (ending != Clipping.ClipEnding.ENDED) return;
         ending = how;
         message = why;
     }
@@ -77,10 +77,10 @@ public final class ClipRecord {
             ClippedEnds exact, Function<ClippedEnds, Deviation> comparison, double unit) {
         while (capture.captured().parts().size() < exact.parts().size()) capture.next();
         List<Optional<double[]>> parts = capture.captured().parts();
-        var left = new ArrayList<Clipping.Part>();
+        var left = new ArrayList<Clipping.ClipPart>();
         for (int i = 0; i < parts.size(); i++) {
             int item = i;
-            parts.get(i).ifPresent(ends -> left.add(new Clipping.Part(item, ends)));
+            parts.get(i).ifPresent(ends -> left.add(new Clipping.ClipPart(item, ends)));
         }
         return new Clipping(
                 method,

@@ -20,8 +20,8 @@ public record Clipping(
         String method,
         boolean decidesByCode,
         List<ClipStep> steps,
-        List<Part> parts,
-        Ending ending,
+        List<ClipPart> parts,
+        ClipEnding ending,
         String message,
         Deviation deviation,
         WrongParts wrong) {
@@ -29,7 +29,7 @@ public record Clipping(
     static final int RECORDED = 200;
 
     /** How the method came to its end. */
-    public enum Ending {
+    public enum ClipEnding {
         ENDED,
         /** The method went on although a segment needs no more steps. */
         ENDLESS,
@@ -43,8 +43,8 @@ public record Clipping(
      * @param item index of the segment; 0 for a polygon
      * @param coordinates point after point
      */
-    public record Part(int item, double[] coordinates) {
-        public Part {
+    public record ClipPart(int item, double[] coordinates) {
+        public ClipPart {
             Bounds.requireAtLeast("item", item, 0);
         }
     }
@@ -55,12 +55,12 @@ public record Clipping(
     }
 
     /** The rest of one segment, if there is any. */
-    public Optional<Part> part(int item) {
+    public Optional<ClipPart> part(int item) {
         return parts.stream().filter(part -> part.item() == item).findFirst();
     }
 
     /** Whether nothing is wrong by more than the topic allows. */
     public boolean isRight() {
-        return ending == Ending.ENDED && wrong.isEmpty();
+        return ending == ClipEnding.ENDED && wrong.isEmpty();
     }
 }

@@ -44,22 +44,22 @@ public final class PolygonClipping {
                 pieces.stream().map(ClipStep::writtenPiece).forEach(steps::add);
             }
         } catch (IllegalArgumentException e) {
-            return stopped(method, Clipping.Ending.REFUSED, e.getMessage());
+            return stopped(method, Clipping.ClipEnding.REFUSED, e.getMessage());
         } catch (RuntimeException e) {
-            return stopped(method, Clipping.Ending.CRASHED, e.toString());
+            return stopped(method, Clipping.ClipEnding.CRASHED, e.toString());
         }
         return new Clipping(
                 method,
                 false,
                 steps,
-                pieces.stream().map(piece -> new Clipping.Part(0, piece)).toList(),
-                Clipping.Ending.ENDED,
+                pieces.stream().map(piece -> new Clipping.ClipPart(0, piece)).toList(),
+                Clipping.ClipEnding.ENDED,
                 "",
                 topic.compare(input(scene), exact, pieces),
                 WrongParts.between(edges(exact), edges(pieces), scene.window().rectangle().unit()));
     }
 
-    private static Clipping stopped(String method, Clipping.Ending ending, String message) {
+    private static Clipping stopped(String method, Clipping.ClipEnding ending, String message) {
         return new Clipping(
                 method,
                 false,

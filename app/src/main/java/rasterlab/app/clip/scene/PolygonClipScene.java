@@ -76,20 +76,21 @@ public record PolygonClipScene(
 
     @Override
     public PolygonClipScene moved(ClipGrip grip, ClipPoint to) {
-        return grip.kind() == ClipGrip.Kind.WINDOW
+        return grip.kind() == ClipGrip.ClipGripKind.WINDOW
                 ? with(window.moved(grip.index(), to))
                 : with(Lists.replaced(subject, grip.index(), to));
     }
 
     @Override
     public PolygonClipScene grown(ClipGrip beside) {
-        if (beside.kind() == ClipGrip.Kind.WINDOW) return with(window.grown(beside.index()));
+        if (beside.kind() == ClipGrip.ClipGripKind.WINDOW)
+            return with(window.grown(beside.index()));
         return subject.size() >= MOST ? this : with(PlaneFigures.grown(subject, beside.index()));
     }
 
     @Override
     public PolygonClipScene without(ClipGrip grip) {
-        if (grip.kind() == ClipGrip.Kind.WINDOW) return with(window.without(grip.index()));
+        if (grip.kind() == ClipGrip.ClipGripKind.WINDOW) return with(window.without(grip.index()));
         return subject.size() <= 3 ? this : with(Lists.removed(subject, grip.index()));
     }
 }

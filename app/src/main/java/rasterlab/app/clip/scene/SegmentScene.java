@@ -85,14 +85,16 @@ public record SegmentScene(
 
     @Override
     public SegmentScene moved(ClipGrip grip, ClipPoint to) {
-        if (grip.kind() == ClipGrip.Kind.WINDOW) return with(window.moved(grip.index(), to));
+        if (grip.kind() == ClipGrip.ClipGripKind.WINDOW)
+            return with(window.moved(grip.index(), to));
         PlaneSegment moved = segments.get(grip.index()).moved(grip.end(), to);
         return with(Lists.replaced(segments, grip.index(), moved));
     }
 
     @Override
     public SegmentScene grown(ClipGrip beside) {
-        if (beside.kind() == ClipGrip.Kind.WINDOW) return with(window.grown(beside.index()));
+        if (beside.kind() == ClipGrip.ClipGripKind.WINDOW)
+            return with(window.grown(beside.index()));
         if (segments.size() >= MOST) return this;
         ClipWindow sides = window.rectangle();
         double dx = (sides.xmax() - sides.xmin()) / 8;
@@ -106,7 +108,7 @@ public record SegmentScene(
 
     @Override
     public SegmentScene without(ClipGrip grip) {
-        if (grip.kind() == ClipGrip.Kind.WINDOW) return with(window.without(grip.index()));
+        if (grip.kind() == ClipGrip.ClipGripKind.WINDOW) return with(window.without(grip.index()));
         return segments.size() == 1 ? this : with(Lists.removed(segments, grip.index()));
     }
 }

@@ -47,8 +47,8 @@ final class FigurePainter {
         this.colors = colors;
         var lines = new ArrayList<Line2D>();
         for (Mark mark : marks)
-            if (mark instanceof Mark.Line line) add(lines, line.from(), line.to());
-            else if (mark instanceof Mark.Arrow arrow) add(lines, arrow.from(), arrow.to());
+            if (mark instanceof Mark.LineMark line) add(lines, line.from(), line.to());
+            else if (mark instanceof Mark.ArrowMark arrow) add(lines, arrow.from(), arrow.to());
         places = new MarkLabelPlaces(g.getClipBounds(), lines, taken);
     }
 
@@ -60,14 +60,14 @@ final class FigurePainter {
     void paint(Mark mark) {
         g.setColor(color(mark.ink()));
         g.setStroke(stroke(mark.ink().role()));
-        if (mark instanceof Mark.Line line) path(List.of(line.from(), line.to()));
-        else if (mark instanceof Mark.Path path) path(path.places());
-        else if (mark instanceof Mark.Area area) area(area.corners());
-        else if (mark instanceof Mark.Arrow arrow) arrow(arrow);
-        else if (mark instanceof Mark.Dot dot) dot(dot);
-        else if (mark instanceof Mark.Cross cross) cross(cross);
-        else if (mark instanceof Mark.Wrong wrong) wrong(wrong);
-        else if (mark instanceof Mark.Words words) words(words);
+        if (mark instanceof Mark.LineMark line) path(List.of(line.from(), line.to()));
+        else if (mark instanceof Mark.PathMark path) path(path.places());
+        else if (mark instanceof Mark.AreaMark area) area(area.corners());
+        else if (mark instanceof Mark.ArrowMark arrow) arrow(arrow);
+        else if (mark instanceof Mark.DotMark dot) dot(dot);
+        else if (mark instanceof Mark.CrossMark cross) cross(cross);
+        else if (mark instanceof Mark.WrongMark wrong) wrong(wrong);
+        else if (mark instanceof Mark.WordsMark words) words(words);
         else if (mark instanceof Mark.Beside beside) beside(beside);
     }
 
@@ -138,7 +138,7 @@ final class FigurePainter {
         g.draw(shape);
     }
 
-    private void arrow(Mark.Arrow arrow) {
+    private void arrow(Mark.ArrowMark arrow) {
         if (!arrow.from().isFinite() || !arrow.to().isFinite()) return;
         double x = x(arrow.to());
         double y = y(arrow.to());
@@ -158,7 +158,7 @@ final class FigurePainter {
         label(arrow.label(), x + 15 * right, y + 15 * down);
     }
 
-    private void dot(Mark.Dot dot) {
+    private void dot(Mark.DotMark dot) {
         if (!dot.at().isFinite()) return;
         double x = x(dot.at());
         double y = y(dot.at());
@@ -166,7 +166,7 @@ final class FigurePainter {
         beside(dot.label(), x, y);
     }
 
-    private void cross(Mark.Cross cross) {
+    private void cross(Mark.CrossMark cross) {
         if (!cross.at().isFinite()) return;
         double x = x(cross.at());
         double y = y(cross.at());
@@ -175,12 +175,12 @@ final class FigurePainter {
         beside(cross.label(), x, y);
     }
 
-    private void wrong(Mark.Wrong wrong) {
+    private void wrong(Mark.WrongMark wrong) {
         if (wrong.at().isFinite())
             wrong.kind().paint(g, x(wrong.at()) - WRONG / 2, y(wrong.at()) - WRONG / 2, WRONG);
     }
 
-    private void words(Mark.Words words) {
+    private void words(Mark.WordsMark words) {
         if (words.at().isFinite()) label(words.label(), x(words.at()), y(words.at()));
     }
 

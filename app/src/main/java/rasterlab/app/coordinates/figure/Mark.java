@@ -7,17 +7,17 @@ import rasterlab.engine.raster.PixelMark;
 public sealed interface Mark {
     MarkInk ink();
 
-    record Line(StagePoint from, StagePoint to, MarkInk ink) implements Mark {}
+    record LineMark(StagePoint from, StagePoint to, MarkInk ink) implements Mark {}
 
     /** Lines through all places. */
-    record Path(List<StagePoint> places, MarkInk ink) implements Mark {
-        public Path {
+    record PathMark(List<StagePoint> places, MarkInk ink) implements Mark {
+        public PathMark {
             places = List.copyOf(places);
         }
     }
 
-    record Area(List<StagePoint> corners, MarkInk ink) implements Mark {
-        public Area {
+    record AreaMark(List<StagePoint> corners, MarkInk ink) implements Mark {
+        public AreaMark {
             corners = List.copyOf(corners);
         }
     }
@@ -25,18 +25,18 @@ public sealed interface Mark {
     /**
      * @param label at its tip, "" for none
      */
-    record Arrow(StagePoint from, StagePoint to, MarkInk ink, String label) implements Mark {}
+    record ArrowMark(StagePoint from, StagePoint to, MarkInk ink, String label) implements Mark {}
 
     /**
      * @param label beside it, "" for none
      */
-    record Dot(StagePoint at, MarkInk ink, String label) implements Mark {}
+    record DotMark(StagePoint at, MarkInk ink, String label) implements Mark {}
 
     /** A cross for a place that is computed, such as a vanishing point. */
-    record Cross(StagePoint at, MarkInk ink, String label) implements Mark {}
+    record CrossMark(StagePoint at, MarkInk ink, String label) implements Mark {}
 
     /** A mark around a place where a point is missing, or over one where there should be none. */
-    record Wrong(StagePoint at, PixelMark kind) implements Mark {
+    record WrongMark(StagePoint at, PixelMark kind) implements Mark {
         @Override
         public MarkInk ink() {
             return MarkInk.WRONG;
@@ -44,7 +44,7 @@ public sealed interface Mark {
     }
 
     /** Words whose middle is there. */
-    record Words(StagePoint at, MarkInk ink, String label) implements Mark {}
+    record WordsMark(StagePoint at, MarkInk ink, String label) implements Mark {}
 
     /** Words that begin there. */
     record Beside(StagePoint at, MarkInk ink, String label) implements Mark {}

@@ -24,14 +24,14 @@ public final class MarkBounds {
     }
 
     private static Stream<StagePoint> spots(Mark mark) {
-        if (mark instanceof Mark.Line line) return Stream.of(line.from(), line.to());
-        if (mark instanceof Mark.Path path) return path.places().stream();
-        if (mark instanceof Mark.Area area) return area.corners().stream();
-        if (mark instanceof Mark.Arrow arrow) return Stream.of(arrow.from(), arrow.to());
-        if (mark instanceof Mark.Dot dot) return Stream.of(dot.at());
-        if (mark instanceof Mark.Cross cross) return Stream.of(cross.at());
-        if (mark instanceof Mark.Wrong wrong) return Stream.of(wrong.at());
+        if (mark instanceof Mark.LineMark line) return Stream.of(line.from(), line.to());
+        if (mark instanceof Mark.PathMark path) return path.places().stream();
+        if (mark instanceof Mark.AreaMark area) return area.corners().stream();
+        if (mark instanceof Mark.ArrowMark arrow) return Stream.of(arrow.from(), arrow.to());
+        if (mark instanceof Mark.DotMark dot) return Stream.of(dot.at());
+        if (mark instanceof Mark.CrossMark cross) return Stream.of(cross.at());
+        if (mark instanceof Mark.WrongMark wrong) return Stream.of(wrong.at());
         if (mark instanceof Mark.Beside beside) return Stream.of(beside.at());
-        return Stream.of(((Mark.Words) mark).at());
+        return Stream.of(((Mark.WordsMark) mark).at());
     }
 }

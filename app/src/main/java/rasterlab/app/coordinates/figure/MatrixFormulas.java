@@ -22,7 +22,7 @@ public final class MatrixFormulas {
 
     /** {@code said = [matrix]}. */
     public static Formula named(String said, double[] cells, Locale locale) {
-        return Formula.of(new Formula.Words(said), matrix(cells, locale));
+        return Formula.of(new Formula.FormulaWords(said), matrix(cells, locale));
     }
 
     public static Formula.Matrix matrix(double[] cells, Locale locale) {

@@ -63,7 +63,7 @@ final class ListFigure {
         for (Wireframe.Edge edge : scene.choice().subject().wire().edges()) {
             boolean right = h.length == 0 || h[edge.from()] > 0 && h[edge.to()] > 0;
             marks.add(
-                    new Mark.Line(
+                    new Mark.LineMark(
                             spots.get(edge.from()),
                             spots.get(edge.to()),
                             right ? ink : MarkInk.WRONG));
@@ -73,7 +73,7 @@ final class ListFigure {
     private void dots(List<StagePoint> spots, MarkInk ink, double[] h) {
         for (int i = 0; i < spots.size(); i++)
             marks.add(
-                    new Mark.Dot(
+                    new Mark.DotMark(
                             spots.get(i), h.length == 0 || h[i] > 0 ? ink : MarkInk.WRONG, ""));
     }
 
@@ -87,7 +87,7 @@ final class ListFigure {
         List<StagePoint> ends = places.of(scene.frame(step, LONGER * reach()));
         for (int axis = 0; axis < dimension; axis++)
             marks.add(
-                    new Mark.Arrow(
+                    new Mark.ArrowMark(
                             ends.get(0), ends.get(axis + 1), MarkInk.axis(axis), MOVED[axis]));
     }
 }

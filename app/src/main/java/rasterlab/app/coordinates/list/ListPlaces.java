@@ -56,7 +56,7 @@ final class ListPlaces {
             var ends = new double[6];
             ends[3 + axis] = reach;
             List<StagePoint> spots = of(ends);
-            marks.add(new Mark.Arrow(spots.get(0), spots.get(1), MarkInk.HELP, AXES[axis]));
+            marks.add(new Mark.ArrowMark(spots.get(0), spots.get(1), MarkInk.HELP, AXES[axis]));
         }
         return marks;
     }

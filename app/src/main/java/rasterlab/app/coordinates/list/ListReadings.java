@@ -110,7 +110,7 @@ final class ListReadings {
                 MatrixFormulas.named(
                         "M" + low(index + 1) + " =", scene.cells().get(index), locale));
         inverse(selected().get(), index).ifPresent(lines::add);
-        lines.add(Formula.of(new Formula.Words(texts.text("product"))));
+        lines.add(Formula.of(new Formula.FormulaWords(texts.text("product"))));
         List<double[]> applied = scene.applied(model.step(), false);
         lines.add(MatrixFormulas.named(order() + " =", product(applied), locale));
         return lines;

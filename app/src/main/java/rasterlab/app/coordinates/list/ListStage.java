@@ -67,14 +67,16 @@ final class ListStage extends PlaneStage {
             double x = numbers.get(2 * i);
             double y = numbers.get(2 * i + 1);
             String said = texts.text("corner.said", i + 1, Shown.point(x, y, texts.locale()));
-            points.add(new PlanePoint("corner." + i, x, y, PlanePoint.Form.DIAMOND, "", said));
+            points.add(
+                    new PlanePoint("corner." + i, x, y, PlanePoint.HandleShape.DIAMOND, "", said));
         }
         return points;
     }
 
     /** The origin, by which space is turned. */
     private PlanePoint grip() {
-        return new PlanePoint("turn", 0, 0, PlanePoint.Form.CIRCLE, "", texts.text("turn.said"));
+        return new PlanePoint(
+                "turn", 0, 0, PlanePoint.HandleShape.CIRCLE, "", texts.text("turn.said"));
     }
 
     @Override

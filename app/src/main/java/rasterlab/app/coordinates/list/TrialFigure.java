@@ -38,7 +38,7 @@ final class TrialFigure {
         figure.given();
         scene.made().ifPresent(figure::made);
         for (StagePoint spot : figure.places.of(scene.exact().points()))
-            if (spot.isFinite()) figure.marks.add(new Mark.Cross(spot, MarkInk.OBJECT, ""));
+            if (spot.isFinite()) figure.marks.add(new Mark.CrossMark(spot, MarkInk.OBJECT, ""));
         return new Figure(figure.marks, false);
     }
 
@@ -48,12 +48,12 @@ final class TrialFigure {
         List<StagePoint> right = places.of(scene.exact().points());
         for (int i = 0; i < spots.size(); i++) {
             if (!scene.inReach(scene.given(), i)) continue;
-            marks.add(new Mark.Line(spots.get(i), right.get(i), MarkInk.GHOST));
-            marks.add(new Mark.Dot(spots.get(i), MarkInk.GHOST, ""));
+            marks.add(new Mark.LineMark(spots.get(i), right.get(i), MarkInk.GHOST));
+            marks.add(new Mark.DotMark(spots.get(i), MarkInk.GHOST, ""));
         }
     }
 
-    private void made(TrialScene.Placed made) {
+    private void made(TrialScene.TrialPoints made) {
         List<StagePoint> right = places.of(scene.exact().points());
         List<StagePoint> spots = places.of(made.points());
         MarkInk ink = MarkInk.method(scene.trial().method());
@@ -62,15 +62,15 @@ final class TrialFigure {
             TrialScene.Fate fate = scene.fates().get(i);
             boolean shown = spots.get(i).isFinite() && scene.inReach(made.points(), i);
             if (fate == TrialScene.Fate.MISSING)
-                marks.add(new Mark.Wrong(right.get(i), PixelMark.MISSING));
+                marks.add(new Mark.WrongMark(right.get(i), PixelMark.MISSING));
             if (!shown) continue;
             if (fate == TrialScene.Fate.WRONG)
-                marks.add(new Mark.Line(right.get(i), spots.get(i), MarkInk.PRINTED));
+                marks.add(new Mark.LineMark(right.get(i), spots.get(i), MarkInk.PRINTED));
             boolean label = !named && fate != TrialScene.Fate.RIGHT;
             named |= label;
-            marks.add(new Mark.Dot(spots.get(i), ink, label ? called : ""));
+            marks.add(new Mark.DotMark(spots.get(i), ink, label ? called : ""));
             if (fate == TrialScene.Fate.EXTRA)
-                marks.add(new Mark.Wrong(spots.get(i), PixelMark.EXTRA));
+                marks.add(new Mark.WrongMark(spots.get(i), PixelMark.EXTRA));
         }
     }
 }

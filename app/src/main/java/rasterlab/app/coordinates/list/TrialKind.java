@@ -104,8 +104,8 @@ abstract class TrialKind<C, I, O> {
                 tried.verdict());
     }
 
-    private TrialScene.Placed placed(O output) {
-        return new TrialScene.Placed(images(output).coordinates(), h(output));
+    private TrialScene.TrialPoints placed(O output) {
+        return new TrialScene.TrialPoints(images(output).coordinates(), h(output));
     }
 
     private List<TrialScene.Fate> fates(I input, O exact, O made) {

@@ -96,7 +96,9 @@ final class TrialReadings {
         return note(
                 tried.get(),
                 onTheWay
-                        ? List.of(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD))
+                        ? List.of(
+                                ShownDifference.of(
+                                        ShownDifference.ShownDifferenceKind.OTHER_METHOD))
                         : tried.get().differences());
     }
 
@@ -128,7 +130,7 @@ final class TrialReadings {
         var rows = new ArrayList<List<String>>();
         List<Integer> points = points(scene);
         for (int point : points) {
-            var given = new TrialScene.Placed(scene.given(), Optional.empty());
+            var given = new TrialScene.TrialPoints(scene.given(), Optional.empty());
             rows.add(coordinates(texts.text("row.point", point + 1), given, point));
             rows.add(coordinates(texts.text("row.exact"), scene.exact(), point));
             scene.made()
@@ -157,8 +159,9 @@ final class TrialReadings {
         return scene.fates().isEmpty() || scene.fates().get(point) == TrialScene.Fate.RIGHT;
     }
 
-    private static TrialScene.Placed off(TrialScene.Placed made, TrialScene.Placed exact) {
-        return new TrialScene.Placed(
+    private static TrialScene.TrialPoints off(
+            TrialScene.TrialPoints made, TrialScene.TrialPoints exact) {
+        return new TrialScene.TrialPoints(
                 minus(made.points(), exact.points()),
                 made.h().map(all -> minus(all, exact.h().orElseThrow())));
     }
@@ -168,13 +171,13 @@ final class TrialReadings {
     }
 
     /** A number that is only rounding beside the point's largest coordinate reads as 0. */
-    private List<String> coordinates(String name, TrialScene.Placed placed, int point) {
+    private List<String> coordinates(String name, TrialScene.TrialPoints placed, int point) {
         double[] xyz = placed.of(point);
         double largest = Arrays.stream(xyz).map(Math::abs).max().orElse(0);
         return row(name, xyz, placed.h(), point, value -> beside(value, largest));
     }
 
-    private List<String> errors(TrialScene.Placed off, int point) {
+    private List<String> errors(TrialScene.TrialPoints off, int point) {
         return row(texts.text("row.off"), off.of(point), off.h(), point, this::number);
     }
 

@@ -22,8 +22,8 @@ import rasterlab.engine.transform.Images;
 record TrialScene(
         Trial trial,
         double[] given,
-        Placed exact,
-        Optional<Placed> made,
+        TrialPoints exact,
+        Optional<TrialPoints> made,
         List<Fate> fates,
         Verdict verdict,
         double reach) {
@@ -42,17 +42,17 @@ record TrialScene(
     TrialScene(
             Trial trial,
             double[] given,
-            Placed exact,
-            Optional<Placed> made,
+            TrialPoints exact,
+            Optional<TrialPoints> made,
             List<Fate> fates,
             Verdict verdict) {
         this(trial, given, exact, made, fates, verdict, reach(given, exact, made));
     }
 
-    private static double reach(double[] given, Placed exact, Optional<Placed> made) {
+    private static double reach(double[] given, TrialPoints exact, Optional<TrialPoints> made) {
         double reach = exact.reach();
-        if (reach == 0) reach = made.map(Placed::reach).orElse(0.0);
-        if (reach == 0) reach = new Placed(given, Optional.empty()).reach();
+        if (reach == 0) reach = made.map(TrialPoints::reach).orElse(0.0);
+        if (reach == 0) reach = new TrialPoints(given, Optional.empty()).reach();
         return reach == 0 ? 1 : reach;
     }
 
@@ -62,7 +62,7 @@ record TrialScene(
      * @param points three numbers each, not finite where a point has no image
      * @param h of each point; empty where nothing is divided
      */
-    record Placed(double[] points, Optional<double[]> h) {
+    record TrialPoints(double[] points, Optional<double[]> h) {
         /** The point's three numbers. */
         double[] of(int point) {
             return Arrays.copyOfRange(points, 3 * point, 3 * point + 3);
@@ -122,13 +122,14 @@ record TrialScene(
     List<ShownDifference> differences() {
         var differences = new ArrayList<ShownDifference>();
         if (any(i -> !exact.has(i) && !isMade(i)))
-            differences.add(ShownDifference.of(ShownDifference.Kind.NO_IMAGE));
+            differences.add(ShownDifference.of(ShownDifference.ShownDifferenceKind.NO_IMAGE));
         long hidden = IntStream.range(0, size()).filter(this::isHidden).count();
         if (hidden > 0)
             differences.add(
-                    ShownDifference.of(ShownDifference.Kind.POINTS_TOGETHER, hidden, off()));
+                    ShownDifference.of(
+                            ShownDifference.ShownDifferenceKind.POINTS_TOGETHER, hidden, off()));
         if (any(i -> isMade(i) && !inReach(made.orElseThrow().points(), i)))
-            differences.add(ShownDifference.of(ShownDifference.Kind.POINT_BEYOND));
+            differences.add(ShownDifference.of(ShownDifference.ShownDifferenceKind.POINT_BEYOND));
         return differences;
     }
 

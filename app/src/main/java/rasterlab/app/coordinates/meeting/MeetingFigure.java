@@ -52,8 +52,8 @@ final class MeetingFigure {
         double reach = drawn(scene.exact()) ? scene.exact() : 0;
         double least = Math.min(0, reach) - BEYOND;
         double most = Math.max(1, reach) + BEYOND;
-        marks.add(new Mark.Line(at(least), at(most), MarkInk.HELP));
-        marks.add(new Mark.Arrow(at(0), at(1), MarkInk.OBJECT, ""));
+        marks.add(new Mark.LineMark(at(least), at(most), MarkInk.HELP));
+        marks.add(new Mark.ArrowMark(at(0), at(1), MarkInk.OBJECT, ""));
     }
 
     private void plane() {
@@ -63,21 +63,23 @@ final class MeetingFigure {
             least = Math.min(least, at(scene.exact()).x() - BEYOND);
             most = Math.max(most, at(scene.exact()).x() + BEYOND);
         }
-        marks.add(new Mark.Line(new StagePoint(least, 0), new StagePoint(most, 0), MarkInk.EDGE));
         marks.add(
-                new Mark.Arrow(
+                new Mark.LineMark(new StagePoint(least, 0), new StagePoint(most, 0), MarkInk.EDGE));
+        marks.add(
+                new Mark.ArrowMark(
                         new StagePoint(least, 0),
                         new StagePoint(least, NORMAL),
                         MarkInk.axis(2),
                         "n"));
-        marks.add(new Mark.Words(new StagePoint(most, -NAME), MarkInk.EDGE, "n·p = c"));
+        marks.add(new Mark.WordsMark(new StagePoint(most, -NAME), MarkInk.EDGE, "n·p = c"));
     }
 
     /** Draws the right place as a cross, the chosen method's as a dot of its colour. */
     private void meetings() {
-        if (drawn(scene.exact())) marks.add(new Mark.Cross(at(scene.exact()), MarkInk.OBJECT, ""));
-        MeetingScene.Answer chosen = scene.chosen();
+        if (drawn(scene.exact()))
+            marks.add(new Mark.CrossMark(at(scene.exact()), MarkInk.OBJECT, ""));
+        MeetingScene.MeetingAnswer chosen = scene.chosen();
         if (Double.isFinite(chosen.mu()) && drawn(chosen.mu()))
-            marks.add(new Mark.Dot(at(chosen.mu()), MarkInk.method(chosen.method()), "μ"));
+            marks.add(new Mark.DotMark(at(chosen.mu()), MarkInk.method(chosen.method()), "μ"));
     }
 }

@@ -78,7 +78,7 @@ final class MeetingInspector {
 
     /** Why the method refused: in its own words where those are the window's language. */
     private String refusal() {
-        MeetingScene.Answer answer = model.scene().chosen();
+        MeetingScene.MeetingAnswer answer = model.scene().chosen();
         if (!answer.refused()) return "";
         return texts.language() == Language.ENGLISH ? answer.refusal() : texts.text("refusal");
     }

@@ -14,7 +14,7 @@ import rasterlab.engine.study.Method;
 /** The lab of a line that meets a plane, without its window. */
 public final class MeetingLabModel extends ChoiceModel<MeetingChoice> {
     /** The two points that can be moved. */
-    enum Grip {
+    enum MeetingGrip {
         FROM,
         THROUGH
     }
@@ -67,10 +67,10 @@ public final class MeetingLabModel extends ChoiceModel<MeetingChoice> {
     }
 
     /** Moves a point to a place of the picture; onto the other point it does not go. */
-    void move(Grip grip, double x, double y) {
+    void move(MeetingGrip grip, double x, double y) {
         Line old = choice().line();
-        Vector from = grip == Grip.FROM ? view.point(x, y) : old.from();
-        Vector through = grip == Grip.THROUGH ? view.point(x, y) : old.through();
+        Vector from = grip == MeetingGrip.FROM ? view.point(x, y) : old.from();
+        Vector through = grip == MeetingGrip.THROUGH ? view.point(x, y) : old.through();
         if (through.minus(from).length() > 0) change(choice().with(new Line(from, through)));
     }
 

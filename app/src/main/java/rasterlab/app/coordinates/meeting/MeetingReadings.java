@@ -71,14 +71,14 @@ final class MeetingReadings {
     /** The methods' answers, and the right one below them. */
     List<List<String>> rows() {
         var rows = new ArrayList<List<String>>();
-        for (MeetingScene.Answer each : model.scene().answers())
+        for (MeetingScene.MeetingAnswer each : model.scene().answers())
             rows.add(List.of(each.method(), mu(each), verdict(each)));
         double exact = model.scene().exact();
         rows.add(List.of(texts.text("exact"), Double.isNaN(exact) ? "—" : longer(exact), ""));
         return rows;
     }
 
-    private String mu(MeetingScene.Answer answer) {
+    private String mu(MeetingScene.MeetingAnswer answer) {
         return answer.refused() ? "—" : longer(answer.mu());
     }
 
@@ -88,7 +88,7 @@ final class MeetingReadings {
         return Shown.number(mu, 2 * DIGITS, texts.locale());
     }
 
-    private String verdict(MeetingScene.Answer answer) {
+    private String verdict(MeetingScene.MeetingAnswer answer) {
         if (answer.refused())
             return texts.text(answer.right() ? "verdict.refused" : "verdict.fails");
         return texts.text(answer.right() ? "verdict.right" : "verdict.wrong");

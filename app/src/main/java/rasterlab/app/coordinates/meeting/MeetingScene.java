@@ -13,13 +13,13 @@ import rasterlab.engine.study.Method;
  * @param exact the right μ; NaN where there is none, or none within doubles
  * @param answers in the methods' order
  */
-record MeetingScene(MeetingChoice choice, double exact, List<Answer> answers) {
+record MeetingScene(MeetingChoice choice, double exact, List<MeetingAnswer> answers) {
     /**
      * @param mu not finite where the method says nothing that is a number
      * @param refusal what it said when it refused, in English; "" otherwise
      * @param right whether it is the right μ, but for rounding, or the right refusal
      */
-    record Answer(String method, double mu, String refusal, boolean right) {
+    record MeetingAnswer(String method, double mu, String refusal, boolean right) {
         boolean refused() {
             return !refusal.isEmpty();
         }
@@ -32,26 +32,26 @@ record MeetingScene(MeetingChoice choice, double exact, List<Answer> answers) {
     static MeetingScene of(LinePlaneTopic topic, MeetingChoice choice) {
         PlaneAndLines input = choice.input();
         Meetings exact = topic.exact(input, 1);
-        List<Answer> answers =
+        List<MeetingAnswer> answers =
                 topic.methods().stream().map(each -> answer(topic, each, input, exact)).toList();
         return new MeetingScene(choice, exact.mu(0), answers);
     }
 
-    private static Answer answer(
+    private static MeetingAnswer answer(
             LinePlaneTopic topic, Method<LinePlane> method, PlaneAndLines input, Meetings exact) {
         try {
             Meetings said = topic.record(method.implementation(), input, 1);
             boolean right = topic.correct(topic.compare(input, exact, said));
             boolean number = Double.isFinite(said.mu(0));
-            return new Answer(method.name(), said.mu(0), "", right && number);
+            return new MeetingAnswer(method.name(), said.mu(0), "", right && number);
         } catch (IllegalArgumentException refused) {
             boolean right = Double.isNaN(exact.mu(0));
-            return new Answer(method.name(), Double.NaN, refused.getMessage(), right);
+            return new MeetingAnswer(method.name(), Double.NaN, refused.getMessage(), right);
         }
     }
 
     /** The answer of the chosen method. */
-    Answer chosen() {
+    MeetingAnswer chosen() {
         return answers.stream()
                 .filter(each -> each.method().equals(choice.method()))
                 .findFirst()

@@ -32,29 +32,31 @@ final class MeetingStage extends PlaneStage {
         shown().show(
                         figure,
                         List.of(
-                                point(MeetingLabModel.Grip.FROM, model.choice().line().from()),
                                 point(
-                                        MeetingLabModel.Grip.THROUGH,
+                                        MeetingLabModel.MeetingGrip.FROM,
+                                        model.choice().line().from()),
+                                point(
+                                        MeetingLabModel.MeetingGrip.THROUGH,
                                         model.choice().line().through())),
                         readings.note(),
                         MarkBounds.around(figure.marks()),
                         model.arrangement());
     }
 
-    private PlanePoint point(MeetingLabModel.Grip grip, Vector at) {
+    private PlanePoint point(MeetingLabModel.MeetingGrip grip, Vector at) {
         StagePoint spot = model.view().spot(at);
-        boolean from = grip == MeetingLabModel.Grip.FROM;
+        boolean from = grip == MeetingLabModel.MeetingGrip.FROM;
         return new PlanePoint(
                 grip.name(),
                 spot.x(),
                 spot.y(),
-                from ? PlanePoint.Form.CIRCLE : PlanePoint.Form.SQUARE,
+                from ? PlanePoint.HandleShape.CIRCLE : PlanePoint.HandleShape.SQUARE,
                 from ? "p₁" : "p₂",
                 texts.text("point.said", from ? "p₁" : "p₂", readings.vector(at)));
     }
 
     @Override
     protected void move(String point, double x, double y) {
-        model.move(MeetingLabModel.Grip.valueOf(point), x, y);
+        model.move(MeetingLabModel.MeetingGrip.valueOf(point), x, y);
     }
 }

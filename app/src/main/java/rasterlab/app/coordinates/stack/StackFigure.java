@@ -61,7 +61,7 @@ final class StackFigure {
                 places(frame, new double[] {0, 0, 0, length, 0, 0, 0, length, 0, 0, 0, length});
         for (int axis = 0; axis < 3; axis++)
             marks.add(
-                    new Mark.Arrow(
+                    new Mark.ArrowMark(
                             ends.get(0),
                             ends.get(axis + 1),
                             help ? MarkInk.HELP : MarkInk.axis(axis),
@@ -72,6 +72,7 @@ final class StackFigure {
         List<StagePoint> places = places(frame, CUBE.numbers());
         for (Wireframe.Edge edge : CUBE.edges())
             marks.add(
-                    new Mark.Line(places.get(edge.from()), places.get(edge.to()), MarkInk.OBJECT));
+                    new Mark.LineMark(
+                            places.get(edge.from()), places.get(edge.to()), MarkInk.OBJECT));
     }
 }

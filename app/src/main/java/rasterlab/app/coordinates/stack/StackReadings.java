@@ -83,7 +83,10 @@ final class StackReadings {
             lines.add(MatrixFormulas.named(said, Chains.cells(matrices.get(i)), texts.locale()));
         }
         if (matrices.size() > WRITTEN)
-            lines.add(Formula.of(new Formula.Words(texts.text("more", matrices.size() - WRITTEN))));
+            lines.add(
+                    Formula.of(
+                            new Formula.FormulaWords(
+                                    texts.text("more", matrices.size() - WRITTEN))));
         return lines;
     }
 }

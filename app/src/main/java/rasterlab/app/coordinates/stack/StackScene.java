@@ -27,10 +27,10 @@ record StackScene(
      * @param kind overflow, underflow, or a number that is not allowed
      * @param message in the engine's words
      */
-    record Error(Kind kind, String message) {}
+    record Error(StackErrorKind kind, String message) {}
 
     /** The error that a command ended with. */
-    enum Kind {
+    enum StackErrorKind {
         OVERFLOW,
         UNDERFLOW,
         VALUE
@@ -59,10 +59,13 @@ record StackScene(
             command.run(stack);
             return Optional.empty();
         } catch (IllegalStateException full) {
-            Kind kind = command.op() == StackOp.PUSH ? Kind.OVERFLOW : Kind.UNDERFLOW;
+            StackErrorKind kind =
+                    command.op() == StackOp.PUSH
+                            ? StackErrorKind.OVERFLOW
+                            : StackErrorKind.UNDERFLOW;
             return Optional.of(new Error(kind, full.getMessage()));
         } catch (IllegalArgumentException refused) {
-            return Optional.of(new Error(Kind.VALUE, refused.getMessage()));
+            return Optional.of(new Error(StackErrorKind.VALUE, refused.getMessage()));
         }
     }
 }

@@ -40,7 +40,7 @@ final class StackStage extends PlaneStage {
                                         "turn",
                                         0,
                                         0,
-                                        PlanePoint.Form.CIRCLE,
+                                        PlanePoint.HandleShape.CIRCLE,
                                         "",
                                         texts.text("turn.said"))),
                         note(),

@@ -244,7 +244,7 @@ final class DriftChart extends SelfDrawn {
         g.setStroke(new BasicStroke(drift.method().equals(chosen) ? 3.2f : 1.8f));
         double beforeX = Double.NaN;
         double beforeY = Double.NaN;
-        for (TurnScene.Sample sample : drift.samples()) {
+        for (TurnScene.DriftSample sample : drift.samples()) {
             double x = plot.x(Math.log10(sample.times()));
             double y = plot.y(decade(sample.error()));
             if (!Double.isNaN(beforeX)) g.draw(new Line2D.Double(beforeX, beforeY, x, y));

@@ -22,24 +22,25 @@ final class TurnFigure {
     static Figure of(TurnScene scene, int step, Language language) {
         var marks = new ArrayList<Mark>();
         if (!scene.known()) return new Figure(marks, true);
-        marks.add(new Mark.Path(scene.circle(), MarkInk.HELP));
+        marks.add(new Mark.PathMark(scene.circle(), MarkInk.HELP));
         var origin = new StagePoint(0, 0);
         MarkInk own = MarkInk.method(scene.choice().method());
-        List<TurnScene.Step> done = scene.steps().subList(0, Math.min(step, scene.steps().size()));
+        List<TurnScene.TurnStep> done =
+                scene.steps().subList(0, Math.min(step, scene.steps().size()));
         StagePoint start = new StagePoint(scene.choice().x(), scene.choice().y());
-        marks.add(new Mark.Line(origin, start, MarkInk.GHOST));
+        marks.add(new Mark.LineMark(origin, start, MarkInk.GHOST));
         if (done.size() <= DOTS) {
             var path = new ArrayList<StagePoint>();
             path.add(start);
             done.forEach(each -> path.add(each.at()));
-            marks.add(new Mark.Path(path, MarkInk.GHOST));
-            for (TurnScene.Step each : done) marks.add(new Mark.Dot(each.at(), own, ""));
+            marks.add(new Mark.PathMark(path, MarkInk.GHOST));
+            for (TurnScene.TurnStep each : done) marks.add(new Mark.DotMark(each.at(), own, ""));
         } else {
-            for (TurnScene.Step each : done) marks.add(new Mark.Dot(each.at(), own, ""));
+            for (TurnScene.TurnStep each : done) marks.add(new Mark.DotMark(each.at(), own, ""));
         }
         if (step < scene.steps().size() || scene.steps().isEmpty()) {
             if (!done.isEmpty())
-                marks.add(new Mark.Line(origin, done.get(done.size() - 1).at(), own));
+                marks.add(new Mark.LineMark(origin, done.get(done.size() - 1).at(), own));
             return new Figure(marks, true);
         }
         ends(scene, marks, language);
@@ -52,15 +53,15 @@ final class TurnFigure {
             boolean own = each.method().equals(scene.choice().method());
             if (each.refused() || !own && !(each.error() > SEEN)) continue;
             MarkInk ink = MarkInk.method(each.method());
-            marks.add(new Mark.Line(new StagePoint(0, 0), each.end(), ink));
+            marks.add(new Mark.LineMark(new StagePoint(0, 0), each.end(), ink));
             marks.add(
-                    new Mark.Dot(
+                    new Mark.DotMark(
                             each.end(),
                             ink,
                             own && each.error() <= SEEN
                                     ? ""
                                     : OwnWords.called(each.method(), language)));
         }
-        marks.add(new Mark.Cross(scene.exact(), MarkInk.OBJECT, ""));
+        marks.add(new Mark.CrossMark(scene.exact(), MarkInk.OBJECT, ""));
     }
 }

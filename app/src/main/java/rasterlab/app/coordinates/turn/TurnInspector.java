@@ -129,9 +129,9 @@ final class TurnInspector {
     }
 
     private void showStep() {
-        List<TurnScene.Step> steps = model.scene().steps();
+        List<TurnScene.TurnStep> steps = model.scene().steps();
         boolean any = model.step() > 0 && model.step() <= steps.size();
-        TurnScene.Step step = any ? steps.get(model.step() - 1) : null;
+        TurnScene.TurnStep step = any ? steps.get(model.step() - 1) : null;
         Locale locale = texts.locale();
         turn.setText(any ? String.valueOf(step.turn()) : "—");
         boolean shown = any && !step.formula().isEmpty();

@@ -26,7 +26,7 @@ import rasterlab.engine.transform.rotate.Turns;
  */
 record TurnScene(
         TurnChoice choice,
-        List<Step> steps,
+        List<TurnStep> steps,
         StagePoint exact,
         List<StagePoint> circle,
         List<Drift> drifts) {
@@ -45,8 +45,8 @@ record TurnScene(
      * @param formula what was computed, "" for a whole turn
      * @param value what that gave
      */
-    record Step(int turn, String formula, double value, StagePoint at) {
-        Step {
+    record TurnStep(int turn, String formula, double value, StagePoint at) {
+        TurnStep {
             Bounds.requireAtLeast("turn", turn, 1);
         }
     }
@@ -64,7 +64,7 @@ record TurnScene(
             StagePoint end,
             double error,
             boolean right,
-            List<Sample> samples,
+            List<DriftSample> samples,
             String refusal) {
         boolean refused() {
             return !end.isFinite();
@@ -74,7 +74,7 @@ record TurnScene(
     /**
      * @param error largest difference of a coordinate over the point's larger one
      */
-    record Sample(int times, double error) {}
+    record DriftSample(int times, double error) {}
 
     static TurnScene of(
             Topic<PlaneRotation, Turns, Images> topic,
@@ -103,12 +103,12 @@ record TurnScene(
         try {
             Images end = topic.record(method.implementation(), choice.turns(), 1);
             Deviation off = deviation(topic, choice.turns(), end);
-            var samples = new ArrayList<Sample>();
+            var samples = new ArrayList<DriftSample>();
             for (int times = 1; times <= CHARTED; times *= 10) {
                 if (cancelled.getAsBoolean()) throw new CancellationException();
                 Turns turns = choice.turns(times);
                 Images image = topic.record(method.implementation(), turns, 1);
-                samples.add(new Sample(times, deviation(topic, turns, image).worst()));
+                samples.add(new DriftSample(times, deviation(topic, turns, image).worst()));
             }
             return new Drift(
                     method.name(), spot(end), off.worst(), topic.correct(off), samples, "");
@@ -132,16 +132,17 @@ record TurnScene(
         return new StagePoint(images.coordinates()[0], images.coordinates()[1]);
     }
 
-    private static List<Step> steps(Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
+    private static List<TurnStep> steps(
+            Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
         PlaneRotation method = topic.method(choice.method()).implementation();
         int turns = Math.min(choice.times(), MOST_TURNS);
-        var steps = new ArrayList<Step>();
+        var steps = new ArrayList<TurnStep>();
         try {
             if (method instanceof SteppedRotation stepped) {
                 TurnWalk walk = stepped.walk(choice.degrees(), turns, choice.x(), choice.y());
                 while (walk.advance())
                     steps.add(
-                            new Step(
+                            new TurnStep(
                                     walk.turn(),
                                     walk.text(),
                                     walk.value(),
@@ -149,7 +150,7 @@ record TurnScene(
             } else {
                 for (int turn = 1; turn <= turns; turn++)
                     steps.add(
-                            new Step(
+                            new TurnStep(
                                     turn,
                                     "",
                                     Double.NaN,

@@ -153,7 +153,7 @@ final class TurnStage extends JPanel implements AutoCloseable {
                 "handle.point",
                 choice.x(),
                 choice.y(),
-                PlanePoint.Form.CIRCLE,
+                PlanePoint.HandleShape.CIRCLE,
                 "",
                 texts.text("point.said", Shown.point(choice.x(), choice.y(), texts.locale())));
     }

@@ -40,7 +40,7 @@ final class ViewFigure {
 
     static Figure of(ViewScene scene, int stage) {
         var figure = new ViewFigure(scene, stage);
-        ViewStage.Space space = scene.stages().get(stage).space();
+        ViewStage.CoordinateSpace space = scene.stages().get(stage).space();
         scene.image(stage)
                 .ifPresent(
                         image -> {
@@ -61,7 +61,7 @@ final class ViewFigure {
                 .filter(StagePoint::isFinite);
     }
 
-    private List<StagePoint> places(ViewScene.Image image) {
+    private List<StagePoint> places(ViewScene.StagePoints image) {
         return scene.stages().get(stage).space().deep()
                 ? seen(image.numbers())
                 : Viewpoint.spots(image.numbers(), 3);
@@ -74,7 +74,7 @@ final class ViewFigure {
 
     /** Brings the frame of the stage to x right, y up, z towards the viewer. */
     private List<MatrixCall> upright() {
-        if (scene.stages().get(stage).space() != ViewStage.Space.EYE)
+        if (scene.stages().get(stage).space() != ViewStage.CoordinateSpace.EYE)
             return List.of(MatrixCall.of("ROT3DX", -90));
         return switch (choice.kind()) {
             case SPHERICAL_LEFT, CENTRAL -> List.of(MatrixCall.of("REFL3DXY"));
@@ -83,15 +83,15 @@ final class ViewFigure {
         };
     }
 
-    private void space(ViewScene.Image image) {
+    private void space(ViewScene.StagePoints image) {
         axes(image);
-        if (scene.stages().get(stage).space() == ViewStage.Space.EYE && choice.kind().central())
-            new EyeSpace().draw(image);
+        if (scene.stages().get(stage).space() == ViewStage.CoordinateSpace.EYE
+                && choice.kind().central()) new EyeSpace().draw(image);
         wire(image, seen(image.numbers()), MarkInk.OBJECT, "");
     }
 
     /** Draws the axes from the origin, half as long again as the object reaches. */
-    private void axes(ViewScene.Image image) {
+    private void axes(ViewScene.StagePoints image) {
         for (int axis = 0; axis < 3; axis++) {
             double reach = 0;
             for (int v = 0; v < ViewScene.HOUSE.size(); v++)
@@ -103,7 +103,7 @@ final class ViewFigure {
             var tip = new double[3];
             tip[axis] = 0.9 * reach;
             marks.add(
-                    new Mark.Arrow(
+                    new Mark.ArrowMark(
                             seen(0, 0, 0).get(0),
                             seen(tip).get(0),
                             MarkInk.axis(axis),
@@ -111,11 +111,12 @@ final class ViewFigure {
         }
     }
 
-    private void wire(ViewScene.Image image, List<StagePoint> places, MarkInk ink, String label) {
+    private void wire(
+            ViewScene.StagePoints image, List<StagePoint> places, MarkInk ink, String label) {
         for (Wireframe.Edge edge : ViewScene.HOUSE.edges()) {
             boolean right = image.inFront(edge.from()) && image.inFront(edge.to());
             marks.add(
-                    new Mark.Line(
+                    new Mark.LineMark(
                             places.get(edge.from()),
                             places.get(edge.to()),
                             right ? ink : MarkInk.WRONG));
@@ -123,11 +124,11 @@ final class ViewFigure {
         if (!label.isEmpty())
             for (int v = 0; v < places.size(); v++)
                 if (image.inFront(v))
-                    marks.add(new Mark.Dot(places.get(v), ink, String.valueOf(v + 1)));
+                    marks.add(new Mark.DotMark(places.get(v), ink, String.valueOf(v + 1)));
     }
 
-    private void plane(ViewScene.Image image) {
-        if (scene.stages().get(stage).space() == ViewStage.Space.SCREEN) window();
+    private void plane(ViewScene.StagePoints image) {
+        if (scene.stages().get(stage).space() == ViewStage.CoordinateSpace.SCREEN) window();
         if (!scene.eyes().isEmpty()) {
             twoEyes();
             return;
@@ -142,7 +143,7 @@ final class ViewFigure {
         double width = choice.number(ViewNumber.WIDTH);
         double height = choice.number(ViewNumber.HEIGHT);
         marks.add(
-                new Mark.Area(
+                new Mark.AreaMark(
                         List.of(
                                 new StagePoint(0, 0),
                                 new StagePoint(width, 0),
@@ -150,7 +151,8 @@ final class ViewFigure {
                                 new StagePoint(0, height)),
                         MarkInk.PLANE));
         var fit = ViewStages.fit(choice);
-        marks.add(new Mark.Cross(new StagePoint(fit.centerX(), fit.centerY()), MarkInk.HELP, ""));
+        marks.add(
+                new Mark.CrossMark(new StagePoint(fit.centerX(), fit.centerY()), MarkInk.HELP, ""));
     }
 
     /** Draws left and right one over the other, or in the halves of a picture twice as wide. */
@@ -162,13 +164,13 @@ final class ViewFigure {
     /**
      * @param eye 0 for the left one, 1 for the right one
      */
-    private ViewScene.Image image(int eye) {
-        boolean screen = scene.stages().get(stage).space() == ViewStage.Space.SCREEN;
+    private ViewScene.StagePoints image(int eye) {
+        boolean screen = scene.stages().get(stage).space() == ViewStage.CoordinateSpace.SCREEN;
         return scene.eyes().get(2 * eye + (screen ? 1 : 0));
     }
 
     private List<StagePoint> eye(int eye) {
-        ViewScene.Image image = image(eye);
+        ViewScene.StagePoints image = image(eye);
         boolean apart = choice.stereo() == Stereoscopy.SIDE_BY_SIDE;
         double way = apart ? (eye == 0 ? -1 : 1) * apart(image) : 0;
         var shift = List.of(Chains.cells(MatrixCall.of("TRANSL3D", way, 0, 0)));
@@ -176,7 +178,7 @@ final class ViewFigure {
     }
 
     /** Half of the way between two pictures that do not touch. */
-    private static double apart(ViewScene.Image image) {
+    private static double apart(ViewScene.StagePoints image) {
         double least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;
         for (int v = 0; v < ViewScene.HOUSE.size(); v++) {
@@ -196,23 +198,23 @@ final class ViewFigure {
                 marks.stream()
                         .filter(
                                 mark ->
-                                        !(mark instanceof Mark.Line line
+                                        !(mark instanceof Mark.LineMark line
                                                 && line.ink() == MarkInk.HELP))
                         .filter(
                                 mark ->
-                                        !(mark instanceof Mark.Cross cross
+                                        !(mark instanceof Mark.CrossMark cross
                                                 && far(cross, house, most)))
                         .toList());
     }
 
-    private static boolean far(Mark.Cross cross, Rectangle2D house, double most) {
+    private static boolean far(Mark.CrossMark cross, Rectangle2D house, double most) {
         double x = cross.at().x() - house.getCenterX();
         double y = cross.at().y() - house.getCenterY();
         return Math.hypot(x, y) > most;
     }
 
     /** Draws where the images of all parallels to one edge of the house meet. */
-    private void vanishing(ViewScene.Image image) {
+    private void vanishing(ViewScene.StagePoints image) {
         Matrix4d all = scene.matrix(stage);
         for (int axis = 0; axis < 3; axis++) {
             Optional<Vector3d> found = VanishingPoints.of(all, axis);
@@ -221,8 +223,8 @@ final class ViewFigure {
             if (Math.abs(point.x()) > 1e6 || Math.abs(point.y()) > 1e6) continue;
             for (int from : FROM)
                 if (image.inFront(from))
-                    marks.add(new Mark.Line(places(image).get(from), point, MarkInk.HELP));
-            marks.add(new Mark.Cross(point, MarkInk.EYE, AXES[axis] + "∞"));
+                    marks.add(new Mark.LineMark(places(image).get(from), point, MarkInk.HELP));
+            marks.add(new Mark.CrossMark(point, MarkInk.EYE, AXES[axis] + "∞"));
         }
     }
 
@@ -233,19 +235,19 @@ final class ViewFigure {
         private final Matrix4d projection =
                 Chains.product(Chains.cells(ViewStages.projection(choice)));
 
-        void draw(ViewScene.Image image) {
+        void draw(ViewScene.StagePoints image) {
             List<Vector3d> centers = new ArrayList<>();
             for (int axis = 0; axis < 3; axis++)
                 VanishingPoints.center(projection, axis)
                         .ifPresent(at -> centers.add(back.transformPosition(at)));
             for (Vector3d center : centers)
                 marks.add(
-                        new Mark.Cross(
+                        new Mark.CrossMark(
                                 seen(center.x, center.y, center.z).get(0), MarkInk.EYE, "E"));
             if (centers.size() == 1) sight(image, centers.get(0));
         }
 
-        private void sight(ViewScene.Image image, Vector3d eye) {
+        private void sight(ViewScene.StagePoints image, Vector3d eye) {
             int vertex = choice.vertex() - 1;
             List<StagePoint> line =
                     seen(
@@ -255,14 +257,15 @@ final class ViewFigure {
                             image.coordinate(vertex, 0),
                             image.coordinate(vertex, 1),
                             image.coordinate(vertex, 2));
-            marks.add(new Mark.Line(line.get(0), line.get(1), MarkInk.EYE));
+            marks.add(new Mark.LineMark(line.get(0), line.get(1), MarkInk.EYE));
             if (choice.kind() == ViewKind.LOOK_AT) return;
             double z = choice.kind().spherical() ? choice.number(ViewNumber.D) : 0;
-            scene.image(ViewStage.Space.PICTURE.ordinal()).ifPresent(flat -> image(flat, z));
+            scene.image(ViewStage.CoordinateSpace.PICTURE.ordinal())
+                    .ifPresent(flat -> image(flat, z));
         }
 
         /** Draws the picture on its plane, with an edge around both. */
-        private void image(ViewScene.Image flat, double z) {
+        private void image(ViewScene.StagePoints flat, double z) {
             if (flat.behind() > 0) return;
             double[] points = flat.numbers();
             double left = Double.POSITIVE_INFINITY;
@@ -291,11 +294,11 @@ final class ViewFigure {
                 high + free,
                 z
             };
-            marks.add(new Mark.Area(inEyeSpace(edge), MarkInk.PLANE));
+            marks.add(new Mark.AreaMark(inEyeSpace(edge), MarkInk.PLANE));
             List<StagePoint> places = inEyeSpace(points);
             for (Wireframe.Edge each : ViewScene.HOUSE.edges())
                 marks.add(
-                        new Mark.Line(
+                        new Mark.LineMark(
                                 places.get(each.from()), places.get(each.to()), MarkInk.PLANE));
         }
 

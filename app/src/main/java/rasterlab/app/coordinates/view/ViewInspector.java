@@ -164,7 +164,7 @@ final class ViewInspector {
     private boolean shown(ViewNumber number, ViewChoice choice) {
         return switch (number) {
             case WIDTH, HEIGHT ->
-                    model.stage().space() == ViewStage.Space.SCREEN
+                    model.stage().space() == ViewStage.CoordinateSpace.SCREEN
                             || choice.kind() == ViewKind.LOOK_AT;
             case SEPARATION -> choice.twoEyes();
             default -> choice.kind().numbers().contains(number);
@@ -181,7 +181,7 @@ final class ViewInspector {
         gamma.setText(readings.gamma());
         column.showRow(operations, model.choice().kind().spherical());
         operations.setText(readings.operations());
-        boolean screen = model.stage().space() == ViewStage.Space.SCREEN;
+        boolean screen = model.stage().space() == ViewStage.CoordinateSpace.SCREEN;
         column.showRow(fit, screen && model.choice().kind() != ViewKind.LOOK_AT);
         fit.setText(readings.fit());
         error.setText(readings.error());

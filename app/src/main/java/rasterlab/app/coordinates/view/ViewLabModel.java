@@ -22,7 +22,7 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
 
     private final TransformTopic topic = new TransformTopic();
     private ViewScene scene;
-    private int stage = ViewStage.Space.PICTURE.ordinal();
+    private int stage = ViewStage.CoordinateSpace.PICTURE.ordinal();
 
     public ViewLabModel() {
         super(ViewChoice.first());
@@ -90,7 +90,7 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
     /** Brings several numbers of a kind at once. */
     public void show(ViewSituation situation) {
         rearrange(situation.in(choice()));
-        goTo(ViewStage.Space.PICTURE.ordinal());
+        goTo(ViewStage.CoordinateSpace.PICTURE.ordinal());
     }
 
     /**

@@ -74,10 +74,11 @@ public final class ViewPanel extends LabCard {
                         Texts.of("canvas", texts.language()),
                         model,
                         () -> called(model.stage().space()));
-        for (ViewStage.Space each : ViewStage.Space.values()) stages.reserve(called(each));
+        for (ViewStage.CoordinateSpace each : ViewStage.CoordinateSpace.values())
+            stages.reserve(called(each));
     }
 
-    private String called(ViewStage.Space space) {
+    private String called(ViewStage.CoordinateSpace space) {
         return texts.text("space." + space.code() + ".short");
     }
 

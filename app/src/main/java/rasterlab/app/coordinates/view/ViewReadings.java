@@ -94,7 +94,7 @@ final class ViewReadings {
         var lines = new ArrayList<Formula>();
         List<MatrixCall> calls = model.stage().calls();
         if (calls.isEmpty()) {
-            lines.add(Formula.of(new Formula.Words(texts.text("matrix.none"))));
+            lines.add(Formula.of(new Formula.FormulaWords(texts.text("matrix.none"))));
             return lines;
         }
         for (MatrixCall call : calls) lines.add(Formula.of(words(call)));
@@ -107,8 +107,8 @@ final class ViewReadings {
         return lines;
     }
 
-    private Formula.Words words(MatrixCall call) {
-        return new Formula.Words(MatrixFormulas.said(call, locale));
+    private Formula.FormulaWords words(MatrixCall call) {
+        return new Formula.FormulaWords(MatrixFormulas.said(call, locale));
     }
 
     private void worked(List<Formula> lines) {
@@ -123,20 +123,20 @@ final class ViewReadings {
         var output =
                 Chains.product(Chains.cells(model.stage().calls()))
                         .transform(new Vector4d(point[0], point[1], point[2], 1));
-        lines.add(Formula.of(MatrixFormulas.row(locale, point), new Formula.Words("· M =")));
+        lines.add(Formula.of(MatrixFormulas.row(locale, point), new Formula.FormulaWords("· M =")));
         lines.add(
                 Formula.of(
-                        new Formula.Words("="),
+                        new Formula.FormulaWords("="),
                         MatrixFormulas.row(locale, output.x, output.y, output.z, output.w),
-                        new Formula.Words(output.w == 1 ? "" : "÷ H →")));
+                        new Formula.FormulaWords(output.w == 1 ? "" : "÷ H →")));
         if (output.w != 1) lines.add(divided(after.get(), vertex));
     }
 
-    private Formula divided(ViewScene.Image image, int vertex) {
+    private Formula divided(ViewScene.StagePoints image, int vertex) {
         if (!Double.isFinite(image.coordinate(vertex, 0)))
-            return Formula.of(new Formula.Words("→ " + texts.text("matrix.infinite")));
+            return Formula.of(new Formula.FormulaWords("→ " + texts.text("matrix.infinite")));
         return Formula.of(
-                new Formula.Words("→"),
+                new Formula.FormulaWords("→"),
                 MatrixFormulas.row(
                         locale,
                         image.coordinate(vertex, 0),

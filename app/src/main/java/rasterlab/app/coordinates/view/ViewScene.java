@@ -26,14 +26,14 @@ import rasterlab.engine.transform.chain.TransformTopic;
 record ViewScene(
         ViewChoice choice,
         List<ViewStage> stages,
-        List<Image> images,
+        List<StagePoints> images,
         String refusal,
         Optional<Deviation> deviation,
-        List<Image> eyes) {
+        List<StagePoints> eyes) {
     /** The points at one stage. */
-    record Image(List<Double> coordinates, List<Double> h) {
-        static Image of(TransformTopic.Output output) {
-            return new Image(list(output.images().coordinates()), list(output.h()));
+    record StagePoints(List<Double> coordinates, List<Double> h) {
+        static StagePoints of(TransformTopic.Output output) {
+            return new StagePoints(list(output.images().coordinates()), list(output.h()));
         }
 
         private static List<Double> list(double[] numbers) {
@@ -66,12 +66,12 @@ record ViewScene(
     static ViewScene of(TransformTopic topic, ViewChoice choice) {
         PointTransformer method = topic.method(choice.method()).implementation();
         List<ViewStage> stages = ViewStages.of(choice);
-        var images = new ArrayList<Image>();
+        var images = new ArrayList<StagePoints>();
         var cells = new ArrayList<double[]>();
         try {
             for (ViewStage stage : stages) {
                 cells.addAll(Chains.cells(stage.calls()));
-                images.add(Image.of(Chains.images(method, 3, cells, HOUSE.numbers())));
+                images.add(StagePoints.of(Chains.images(method, 3, cells, HOUSE.numbers())));
             }
         } catch (IllegalArgumentException refused) {
             return new ViewScene(
@@ -95,7 +95,7 @@ record ViewScene(
                 topic.record(method, chain, Integer.MAX_VALUE));
     }
 
-    private static List<Image> eyes(ViewChoice choice, List<ViewStage> stages) {
+    private static List<StagePoints> eyes(ViewChoice choice, List<ViewStage> stages) {
         if (!choice.twoEyes()) return List.of();
         var camera =
                 new SphericalView(
@@ -103,19 +103,19 @@ record ViewScene(
                         Math.toRadians(choice.number(ViewNumber.PHI)),
                         choice.number(ViewNumber.RHO));
         var pair = new StereoPair(camera, choice.number(ViewNumber.SEPARATION));
-        var images = new ArrayList<Image>();
+        var images = new ArrayList<StagePoints>();
         for (Matrix4d eye : List.of(pair.left(), pair.right())) {
             var cells = new ArrayList<>(Chains.cells(stages.get(1).calls()));
             cells.add(Chains.cells(eye));
-            images.add(Image.of(Chains.images(3, cells, HOUSE.numbers())));
+            images.add(StagePoints.of(Chains.images(3, cells, HOUSE.numbers())));
             cells.addAll(Chains.cells(stages.get(4).calls()));
-            images.add(Image.of(Chains.images(3, cells, HOUSE.numbers())));
+            images.add(StagePoints.of(Chains.images(3, cells, HOUSE.numbers())));
         }
         return images;
     }
 
     /** The images of a stage; empty where the method refused before. */
-    Optional<Image> image(int stage) {
+    Optional<StagePoints> image(int stage) {
         return stage < images.size() ? Optional.of(images.get(stage)) : Optional.empty();
     }
 
@@ -145,7 +145,7 @@ record ViewScene(
      */
     Optional<Depth> depth() {
         if (!choice.kind().spherical() || images.size() < 3) return Optional.empty();
-        Image eye = images.get(2);
+        StagePoints eye = images.get(2);
         double nearest = Double.POSITIVE_INFINITY;
         double farthest = Double.NEGATIVE_INFINITY;
         for (int v = 0; v < HOUSE.size(); v++) {

@@ -9,9 +9,9 @@ import rasterlab.engine.transform.matrix.MatrixCall;
  *
  * @param calls the matrices that lead to it from the station before, left to right
  */
-record ViewStage(Space space, List<MatrixCall> calls) {
+record ViewStage(CoordinateSpace space, List<MatrixCall> calls) {
     /** Whose coordinates they are. */
-    enum Space {
+    enum CoordinateSpace {
         OBJECT,
         WORLD,
         EYE,

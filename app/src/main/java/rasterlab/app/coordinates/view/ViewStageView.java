@@ -57,10 +57,10 @@ final class ViewStageView extends JPanel implements AutoCloseable {
     }
 
     private boolean pointsDown() {
-        ViewStage.Space space = model.stage().space();
+        ViewStage.CoordinateSpace space = model.stage().space();
         ViewKind kind = model.choice().kind();
-        if (space == ViewStage.Space.SCREEN) return kind != ViewKind.LOOK_AT;
-        return space == ViewStage.Space.PICTURE && kind.yDown();
+        if (space == ViewStage.CoordinateSpace.SCREEN) return kind != ViewKind.LOOK_AT;
+        return space == ViewStage.CoordinateSpace.PICTURE && kind.yDown();
     }
 
     PlaneView shown() {
@@ -89,7 +89,8 @@ final class ViewStageView extends JPanel implements AutoCloseable {
                         "vertex.said",
                         model.choice().vertex(),
                         Shown.point(at.x(), at.y(), texts.locale()));
-        return new PlanePoint("handle.vertex", at.x(), at.y(), PlanePoint.Form.CIRCLE, "", said);
+        return new PlanePoint(
+                "handle.vertex", at.x(), at.y(), PlanePoint.HandleShape.CIRCLE, "", said);
     }
 
     private String note() {

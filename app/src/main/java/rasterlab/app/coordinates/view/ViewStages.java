@@ -4,7 +4,7 @@ import static rasterlab.app.coordinates.view.ViewNumber.*;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.coordinates.view.ViewStage.Space;
+import rasterlab.app.coordinates.view.ViewStage.CoordinateSpace;
 import rasterlab.engine.scene.House;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.matrix.MatrixCall;
@@ -43,11 +43,11 @@ final class ViewStages {
         var picture = new ArrayList<>(stages.toPlane());
         picture.addAll(stages.projection());
         return List.of(
-                new ViewStage(Space.OBJECT, List.of()),
-                new ViewStage(Space.WORLD, stages.world()),
-                new ViewStage(Space.EYE, stages.eye()),
-                new ViewStage(Space.PICTURE, picture),
-                new ViewStage(Space.SCREEN, stages.screen()));
+                new ViewStage(CoordinateSpace.OBJECT, List.of()),
+                new ViewStage(CoordinateSpace.WORLD, stages.world()),
+                new ViewStage(CoordinateSpace.EYE, stages.eye()),
+                new ViewStage(CoordinateSpace.PICTURE, picture),
+                new ViewStage(CoordinateSpace.SCREEN, stages.screen()));
     }
 
     /** The matrix that moves the eye's space to where the projection expects it. */

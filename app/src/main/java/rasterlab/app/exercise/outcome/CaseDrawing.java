@@ -40,7 +40,7 @@ public record CaseDrawing(
      * @param place in the pictures, in their pixels
      * @param said which part it is; empty where it is all
      */
-    public record Cut(Rectangle place, Optional<PicturePart> said) {}
+    public record PictureCrop(Rectangle place, Optional<PicturePart> said) {}
 
     /**
      * @param from at least one
@@ -126,9 +126,9 @@ public record CaseDrawing(
     /**
      * The cut of at most so many columns and rows around the pixel that the case's message names.
      */
-    public Cut cut(Dimension size) {
+    public PictureCrop cut(Dimension size) {
         if (part.isEmpty())
-            return new Cut(
+            return new PictureCrop(
                     new Rectangle(
                             (pixels.width - size.width) / 2,
                             (pixels.height - size.height) / 2,
@@ -137,7 +137,7 @@ public record CaseDrawing(
                     Optional.empty());
         PicturePart known = part.get();
         PicturePart seen = known.around(size.width, size.height);
-        return new Cut(
+        return new PictureCrop(
                 new Rectangle(
                         seen.shown().xmin() - known.shown().xmin(),
                         seen.shown().ymin() - known.shown().ymin(),

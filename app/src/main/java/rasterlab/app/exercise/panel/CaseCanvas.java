@@ -256,9 +256,9 @@ public final class CaseCanvas extends SelfDrawn {
         // The frame's last line lies outside of its picture.
         var room = new Dimension(getWidth() - 1, getHeight() - 1);
         var whole =
-                new NamedPictures.Wanted(
+                new NamedPictures.PicturesToPlace(
                         names, drawing.pixels(), type, this::getFontMetrics, UIScale.scale(GAP));
-        return new PlacedCase.Wanted(drawing, whole, this::said).in(room);
+        return new PlacedCase.CaseToPlace(drawing, whole, this::said).in(room);
     }
 
     private Font type() {

@@ -25,7 +25,7 @@ public final class ClosingDialog implements Closing.User {
     }
 
     @Override
-    public Closing.Answer answer(List<UnsavedDraft> unsaved) {
+    public Closing.ClosingDecision answer(List<UnsavedDraft> unsaved) {
         String listed =
                 unsaved.stream()
                         .map(draft -> draft.exercise() + ": " + draft.problem())
@@ -45,8 +45,8 @@ public final class ClosingDialog implements Closing.User {
                         null,
                         answers,
                         answers[0]);
-        if (chosen == 0) return Closing.Answer.SAVE_ELSEWHERE;
-        return chosen == 1 ? Closing.Answer.CLOSE_ANYWAY : Closing.Answer.STAY;
+        if (chosen == 0) return Closing.ClosingDecision.SAVE_ELSEWHERE;
+        return chosen == 1 ? Closing.ClosingDecision.CLOSE_ANYWAY : Closing.ClosingDecision.STAY;
     }
 
     @Override

@@ -44,7 +44,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     private final NameChooser exercise;
     private final StatementPane statement;
     private SourceEditor editor;
-    private WindowEditor.Place place;
+    private WindowEditor.EditorPlace place;
     private EditorBar bar;
     private SheetFold sheet;
     private HintRow hints;
@@ -86,7 +86,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
 
     private void placeEditor() {
         editor = kept.of(model);
-        place = new WindowEditor.Place(editor, texts);
+        place = new WindowEditor.EditorPlace(editor, texts);
         end = place::close;
     }
 

@@ -37,7 +37,7 @@ public record NamedPictures(List<Rectangle> places, Font type) {
      * @param type of the names, where they have room
      * @param gap between two pictures
      */
-    record Wanted(
+    record PicturesToPlace(
             List<String> names,
             Dimension raster,
             Font type,
@@ -84,8 +84,8 @@ public record NamedPictures(List<Rectangle> places, Font type) {
             return part.width * part.height;
         }
 
-        Wanted of(Dimension part) {
-            return new Wanted(names, part, type, metrics, gap);
+        PicturesToPlace of(Dimension part) {
+            return new PicturesToPlace(names, part, type, metrics, gap);
         }
 
         private static int width(Optional<NamedPictures> placed) {
@@ -118,7 +118,7 @@ public record NamedPictures(List<Rectangle> places, Font type) {
         }
     }
 
-    private record Columns(Wanted wanted, int columns, Font type, Dimension room) {
+    private record Columns(PicturesToPlace wanted, int columns, Font type, Dimension room) {
         NamedPictures placed() {
             Dimension size = size();
             int rest = freeWidth() - wanted.width(columns, type, size.width);

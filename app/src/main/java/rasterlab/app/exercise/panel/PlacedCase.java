@@ -31,8 +31,10 @@ public record PlacedCase(Rectangle part, NamedPictures pictures, List<String> wo
      * @param whole all of each picture, with the type and names
      * @param said a part in words
      */
-    record Wanted(
-            CaseDrawing drawing, NamedPictures.Wanted whole, Function<PicturePart, String> said) {
+    record CaseToPlace(
+            CaseDrawing drawing,
+            NamedPictures.PicturesToPlace whole,
+            Function<PicturePart, String> said) {
         /** The case placed in the room; empty where the names have no room. */
         Optional<PlacedCase> in(Dimension room) {
             for (int lines = 0; lines < MOST_LINES; lines++) {
@@ -47,7 +49,7 @@ public record PlacedCase(Rectangle part, NamedPictures pictures, List<String> wo
             int below = lines == 0 ? 0 : NamedPictures.ABOVE_NAME + lines * metrics.getHeight();
             var left = new Dimension(room.width, room.height - below);
             Dimension size = drawing.divisible() ? whole.part(CLEAR, left) : drawing.pixels();
-            CaseDrawing.Cut cut = drawing.cut(size);
+            CaseDrawing.PictureCrop cut = drawing.cut(size);
             List<String> words =
                     cut.said()
                             .map(part -> lines(said.apply(part), metrics, room.width))

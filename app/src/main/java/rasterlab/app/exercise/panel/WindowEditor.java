@@ -55,13 +55,13 @@ public final class WindowEditor {
     }
 
     /** Where a panel has the editor, which is elsewhere until the panel before is closed. */
-    static final class Place extends JPanel {
+    static final class EditorPlace extends JPanel {
         private static final long serialVersionUID = 1L;
 
         private final SourceEditor editor;
         private final transient Texts texts;
 
-        Place(SourceEditor editor, Texts texts) {
+        EditorPlace(SourceEditor editor, Texts texts) {
             super(new BorderLayout());
             this.editor = editor;
             this.texts = texts;

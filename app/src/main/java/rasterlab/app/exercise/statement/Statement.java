@@ -37,7 +37,7 @@ final class Statement {
     private final String html;
 
     /** The component that draws the pictures. */
-    interface Painter {
+    interface StatementPainter {
         /** Rows of pixels: {@code #} lit, {@code .} not. */
         Image pixels(List<String> rows);
 
@@ -51,7 +51,7 @@ final class Statement {
     /**
      * @param language of notes about formulas, such as "ru"
      */
-    Statement(String markdown, String language, Painter painter) {
+    Statement(String markdown, String language, StatementPainter painter) {
         formulas = new StatementFormulas(painter::formula, language);
         html =
                 HtmlRenderer.builder()
@@ -100,9 +100,9 @@ final class Statement {
 
     private final class Drawn implements NodeRenderer {
         private final HtmlNodeRendererContext context;
-        private final Painter painter;
+        private final StatementPainter painter;
 
-        Drawn(HtmlNodeRendererContext context, Painter painter) {
+        Drawn(HtmlNodeRendererContext context, StatementPainter painter) {
             this.context = context;
             this.painter = painter;
         }

@@ -124,7 +124,7 @@ public final class StatementPane extends JEditorPane implements Settling {
     }
 
     private record Pictures(Map<String, StatementPicture> named, String language, Formulas formulas)
-            implements Statement.Painter {
+            implements Statement.StatementPainter {
         @Override
         public Optional<Typeset> formula(TexFormula formula) {
             return formulas.known(formula);

@@ -63,7 +63,7 @@ final class LampControls {
         kind =
                 new NameChooser(
                         "kind",
-                        Stream.of(Lamp.Kind.values()).map(Lamp.Kind::code).toList(),
+                        Stream.of(Lamp.LampKind.values()).map(Lamp.LampKind::code).toList(),
                         code -> texts.text("kind." + code),
                         code -> change(old -> old.withKind(kind(code))));
         column.row("kind", kind);
@@ -93,8 +93,8 @@ final class LampControls {
         return String.format(Locale.ROOT, "%06X", rgb);
     }
 
-    private static Lamp.Kind kind(String code) {
-        return Lamp.Kind.valueOf(code.toUpperCase(Locale.ROOT));
+    private static Lamp.LampKind kind(String code) {
+        return Lamp.LampKind.valueOf(code.toUpperCase(Locale.ROOT));
     }
 
     private JPanel buttons() {
@@ -150,8 +150,8 @@ final class LampControls {
         on.setSelected(now.on());
         kind.show(now.kind().code());
         color.show(hex(now.rgb()));
-        boolean sun = now.kind() == Lamp.Kind.SUN;
-        boolean spot = now.kind() == Lamp.Kind.SPOT;
+        boolean sun = now.kind() == Lamp.LampKind.SUN;
+        boolean spot = now.kind() == Lamp.LampKind.SPOT;
         for (Setting each : settings) {
             double value = value(now, each.key());
             each.slider().show(value, said(now, each.key(), value));

@@ -8,13 +8,13 @@ import rasterlab.engine.geometry.Bounds;
  * @param kind what it is
  * @param index of the lamp; 0 for the others
  */
-public record LightGrip(Kind kind, int index) {
+public record LightGrip(LightGripKind kind, int index) {
     public LightGrip {
         Bounds.requireAtLeast("index", index, 0);
     }
 
     /** The kind of thing that can be dragged. */
-    public enum Kind {
+    public enum LightGripKind {
         LAMP,
         FROM,
         TO,

@@ -30,17 +30,17 @@ public final class LightGrips {
     private List<LightGrip> all() {
         var grips = new ArrayList<LightGrip>();
         for (int i = 0; i < model.state().choice().lamps().size(); i++)
-            grips.add(new LightGrip(LightGrip.Kind.LAMP, i));
-        grips.add(new LightGrip(LightGrip.Kind.POINT, 0));
-        grips.add(new LightGrip(LightGrip.Kind.FROM, 0));
-        grips.add(new LightGrip(LightGrip.Kind.TO, 0));
+            grips.add(new LightGrip(LightGrip.LightGripKind.LAMP, i));
+        grips.add(new LightGrip(LightGrip.LightGripKind.POINT, 0));
+        grips.add(new LightGrip(LightGrip.LightGripKind.FROM, 0));
+        grips.add(new LightGrip(LightGrip.LightGripKind.TO, 0));
         return grips;
     }
 
     /** The middle of a grip in view units from its picture's corner, kept inside the picture. */
     public static Point2D at(
-            LightGrip grip, LightFrame.Drawn drawn, LightChoice choice, Rectangle box) {
-        LightChoice.Marks line = choice.line();
+            LightGrip grip, LightFrame.DrawnFrame drawn, LightChoice choice, Rectangle box) {
+        LightChoice.LightMarks line = choice.line();
         var places = new MarkPlaces(box.width, box.height);
         return switch (grip.kind()) {
             case FROM -> new Point2D.Double(places.x(line.fromX()), places.y(line.fromY()));
@@ -56,7 +56,7 @@ public final class LightGrips {
         };
     }
 
-    public static double[] pixel(LightFrame.Drawn drawn, Lamp lamp) {
+    public static double[] pixel(LightFrame.DrawnFrame drawn, Lamp lamp) {
         return drawn.places().toPicture(lamp.x(), lamp.y(), lamp.z());
     }
 
@@ -72,7 +72,8 @@ public final class LightGrips {
             Point2D at = at(grip, state.drawn().get(), state.choice(), box);
             double away = at.distance(view.x - box.x, view.y - box.y);
             boolean selected =
-                    grip.kind() == LightGrip.Kind.LAMP && grip.index() == state.choice().selected();
+                    grip.kind() == LightGrip.LightGripKind.LAMP
+                            && grip.index() == state.choice().selected();
             if (away < nearest || selected && away < REACH) {
                 nearest = selected ? 0 : away;
                 best = grip;
@@ -84,7 +85,7 @@ public final class LightGrips {
     /** Moves a grip to a place of the stage; a lamp keeps its depth. */
     public void drag(LightGrip grip, Point view, StagePlan plan) {
         Rectangle box = plan.picture(plan.pictureAt(view.x));
-        if (grip.kind() == LightGrip.Kind.LAMP) {
+        if (grip.kind() == LightGrip.LightGripKind.LAMP) {
             double x = within((double) (view.x - box.x) / box.width);
             double y = within((double) (view.y - box.y) / box.height);
             moveLamp(grip.index(), x, y);
@@ -96,21 +97,24 @@ public final class LightGrips {
         model.choose(choice -> choice.with(moved(choice.line(), grip.kind(), x, y)));
     }
 
-    private static LightChoice.Marks moved(
-            LightChoice.Marks line, LightGrip.Kind kind, double x, double y) {
+    private static LightChoice.LightMarks moved(
+            LightChoice.LightMarks line, LightGrip.LightGripKind kind, double x, double y) {
         return switch (kind) {
             case FROM ->
-                    new LightChoice.Marks(x, y, line.toX(), line.toY(), line.atX(), line.atY());
+                    new LightChoice.LightMarks(
+                            x, y, line.toX(), line.toY(), line.atX(), line.atY());
             case TO ->
-                    new LightChoice.Marks(line.fromX(), line.fromY(), x, y, line.atX(), line.atY());
+                    new LightChoice.LightMarks(
+                            line.fromX(), line.fromY(), x, y, line.atX(), line.atY());
             case POINT, LAMP ->
-                    new LightChoice.Marks(line.fromX(), line.fromY(), line.toX(), line.toY(), x, y);
+                    new LightChoice.LightMarks(
+                            line.fromX(), line.fromY(), line.toX(), line.toY(), x, y);
         };
     }
 
     private void moveLamp(int index, double x, double y) {
         if (model.state().drawn().isEmpty()) return;
-        LightFrame.Drawn drawn = model.state().drawn().get();
+        LightFrame.DrawnFrame drawn = model.state().drawn().get();
         Lamp lamp = model.state().choice().lamps().get(index);
         double depth = pixel(drawn, lamp)[2];
         place(index, drawn.places().toWorld(x * drawn.width(), y * drawn.height(), depth));
@@ -125,7 +129,7 @@ public final class LightGrips {
      */
     public void nudge(double right, double down, double away) {
         if (model.state().drawn().isEmpty()) return;
-        LightFrame.Drawn drawn = model.state().drawn().get();
+        LightFrame.DrawnFrame drawn = model.state().drawn().get();
         LightChoice choice = model.state().choice();
         double[] pixel = pixel(drawn, choice.lamp());
         place(

@@ -329,7 +329,9 @@ final class LightInspector {
         least.show(
                 choice.least(),
                 true,
-                state.drawn().flatMap(LightFrame.Drawn::least).map(LitPlans.Pair::picture),
+                state.drawn()
+                        .flatMap(LightFrame.DrawnFrame::least)
+                        .map(LitPlans.ComparedPictures::picture),
                 model.plans.bills());
         substance.show(choice.material().substance().code());
         for (Setting each : settings) {

@@ -34,7 +34,7 @@ final class LightPainter {
 
     private final Graphics2D g;
     private final Texts texts;
-    private final LightFrame.Drawn drawn;
+    private final LightFrame.DrawnFrame drawn;
     private final LightChoice choice;
     private final double scale;
 
@@ -43,7 +43,11 @@ final class LightPainter {
      * @param scale device pixels per view unit
      */
     LightPainter(
-            Graphics2D g, Texts texts, LightFrame.Drawn drawn, LightChoice choice, double scale) {
+            Graphics2D g,
+            Texts texts,
+            LightFrame.DrawnFrame drawn,
+            LightChoice choice,
+            double scale) {
         this.g = g;
         this.texts = texts;
         this.drawn = drawn;
@@ -79,7 +83,7 @@ final class LightPainter {
     }
 
     private void paintPicture(int index, Rectangle box) {
-        LightFrame.Picture picture = drawn.pictures().get(index);
+        LightFrame.ShadedPicture picture = drawn.pictures().get(index);
         var over = (Graphics2D) g.create(box.x, box.y, box.width, box.height);
         DevicePixels.paint((Graphics2D) over.create(), picture.raster().image());
         over.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -122,13 +126,13 @@ final class LightPainter {
         }
     }
 
-    private Point2D at(LightGrip.Kind kind, int index, Rectangle box) {
+    private Point2D at(LightGrip.LightGripKind kind, int index, Rectangle box) {
         return LightGrips.at(new LightGrip(kind, index), drawn, choice, box);
     }
 
     private void line(Graphics2D over, Rectangle box, Rectangle plate) {
-        Point2D from = at(LightGrip.Kind.FROM, 0, box);
-        Point2D to = at(LightGrip.Kind.TO, 0, box);
+        Point2D from = at(LightGrip.LightGripKind.FROM, 0, box);
+        Point2D to = at(LightGrip.LightGripKind.TO, 0, box);
         var line = new Line2D.Double(from, to);
         over.setStroke(WIDE);
         over.setColor(new Color(0, 0, 0, 140));
@@ -143,7 +147,7 @@ final class LightPainter {
 
     private List<Point2D> lamps(Rectangle box) {
         return IntStream.range(0, choice.lamps().size())
-                .mapToObj(lamp -> at(LightGrip.Kind.LAMP, lamp, box))
+                .mapToObj(lamp -> at(LightGrip.LightGripKind.LAMP, lamp, box))
                 .toList();
     }
 
@@ -169,7 +173,7 @@ final class LightPainter {
 
     /** Draws a cross in a ring, where the formula is shown in numbers. */
     private void point(Graphics2D over, Rectangle box) {
-        Point2D at = at(LightGrip.Kind.POINT, 0, box);
+        Point2D at = at(LightGrip.LightGripKind.POINT, 0, box);
         var ring = new Ellipse2D.Double(at.getX() - 7, at.getY() - 7, 14, 14);
         for (boolean wide : new boolean[] {true, false}) {
             over.setStroke(wide ? WIDE : THIN);
@@ -183,7 +187,7 @@ final class LightPainter {
     /** Draws a disc of its colour with rays, numbered; hollow when it is off. */
     private void lamp(Graphics2D over, int index, Rectangle box) {
         Lamp lamp = choice.lamps().get(index);
-        Point2D at = at(LightGrip.Kind.LAMP, index, box);
+        Point2D at = at(LightGrip.LightGripKind.LAMP, index, box);
         boolean selected = index == choice.selected();
         double radius = selected ? 10 : 9;
         over.setStroke(selected ? new BasicStroke(2.4f) : THIN);

@@ -187,7 +187,7 @@ public final class LightPanel extends LabPanel {
 
     /** The answers of the user's own program; empty where it lights nothing. */
     private Optional<OwnSteps> ownSteps() {
-        return model.state().drawn().flatMap(LightFrame.Drawn::steps);
+        return model.state().drawn().flatMap(LightFrame.DrawnFrame::steps);
     }
 
     private String orbitReading() {

@@ -24,7 +24,7 @@ final class LightReadings {
     }
 
     private Optional<PointReading> reading() {
-        return state.drawn().flatMap(LightFrame.Drawn::point);
+        return state.drawn().flatMap(LightFrame.DrawnFrame::point);
     }
 
     String place() {
@@ -50,7 +50,7 @@ final class LightReadings {
         for (PointReading.OfLamp lamp : point.lamps()) addLamp(lamp, reflection, lines);
         lines.add(words("I =", row(point.sum())));
         state.drawn()
-                .flatMap(LightFrame.Drawn::own)
+                .flatMap(LightFrame.DrawnFrame::own)
                 .flatMap(OwnRemarks::light)
                 .ifPresent(mine -> lines.add(words(texts.text("formula.mine"), row(mine))));
         return lines;
@@ -85,11 +85,11 @@ final class LightReadings {
     }
 
     private static Formula words(String words) {
-        return Formula.of(new Formula.Words(words));
+        return Formula.of(new Formula.FormulaWords(words));
     }
 
     private static Formula words(String words, Formula.Matrix matrix) {
-        return Formula.of(new Formula.Words(words), matrix);
+        return Formula.of(new Formula.FormulaWords(words), matrix);
     }
 
     /** A cosine, a part of a direction or a share of full intensity. */

@@ -119,7 +119,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
         lab.history().asOne(() -> lab.showOwn(topic, input.map(TopicInput::input), beside));
     }
 
-    private static <I> TopicBinding.Writing<LightLabModel> writing(
+    private static <I> TopicBinding.InputWriter<LightLabModel> writing(
             Topic<?, I, ?> topic, Function<LightLabState, Optional<I>> shown) {
         return lab ->
                 lab.rows().open()
@@ -136,7 +136,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                     lab.rows().close();
                     lab.show(topic, input.hazard(), input.input(), method);
                 },
-                new TopicBinding.Notes<>(
+                new TopicBinding.PictureNotes<>(
                         (lab, input, method) -> TopicBodies.shownDifferences(input.input(), method),
                         method -> method.equals(OwnMethods.NAME) || drawnBy.contains(method),
                         LightLabModel::tell));

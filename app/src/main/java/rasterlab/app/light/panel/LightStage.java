@@ -133,7 +133,7 @@ public final class LightStage extends SelfDrawn implements Settling {
         g.setFont(PictureType.in(getSize()));
         LightLabState state = model.state();
         double scale = DevicePixels.scale(this);
-        Optional<OwnSteps> steps = state.drawn().flatMap(LightFrame.Drawn::steps);
+        Optional<OwnSteps> steps = state.drawn().flatMap(LightFrame.DrawnFrame::steps);
         int step = steps.map(all -> model.walk.step(all.count())).orElse(0);
         boolean within = steps.filter(all -> step > 0 && step < all.count()).isPresent();
         state.drawn()
@@ -153,13 +153,13 @@ public final class LightStage extends SelfDrawn implements Settling {
         else if (said.isEmpty() && (steps.isEmpty() || step > 0))
             said =
                     state.drawn()
-                            .flatMap(LightFrame.Drawn::own)
+                            .flatMap(LightFrame.DrawnFrame::own)
                             .map(told -> told.in(texts))
                             .orElse("");
         if (said.isEmpty())
             said =
                     state.drawn()
-                            .flatMap(LightFrame.Drawn::least)
+                            .flatMap(LightFrame.DrawnFrame::least)
                             .map(pair -> readings.difference(pair.difference()))
                             .orElse("");
         if (showsNothing(state)) said = (said + " " + texts.text("empty")).strip();
@@ -202,7 +202,7 @@ public final class LightStage extends SelfDrawn implements Settling {
             held = grips.under(last, plan());
             picture = last.y < plan().picture(0).height;
             model.beginDrag();
-            held.filter(grip -> grip.kind() == LightGrip.Kind.LAMP)
+            held.filter(grip -> grip.kind() == LightGrip.LightGripKind.LAMP)
                     .ifPresent(grip -> model.choose(choice -> choice.selecting(grip.index())));
         }
 
@@ -223,7 +223,7 @@ public final class LightStage extends SelfDrawn implements Settling {
         @Override
         public void mouseClicked(MouseEvent e) {
             if (e.getClickCount() == 2 && picture)
-                grips.drag(new LightGrip(LightGrip.Kind.POINT, 0), e.getPoint(), plan());
+                grips.drag(new LightGrip(LightGrip.LightGripKind.POINT, 0), e.getPoint(), plan());
         }
 
         @Override
@@ -240,7 +240,7 @@ public final class LightStage extends SelfDrawn implements Settling {
         public void mouseWheelMoved(MouseWheelEvent e) {
             double turned = e.getPreciseWheelRotation();
             Optional<LightGrip> grip = grips.under(e.getPoint(), plan());
-            if (grip.isPresent() && grip.get().kind() == LightGrip.Kind.LAMP) {
+            if (grip.isPresent() && grip.get().kind() == LightGrip.LightGripKind.LAMP) {
                 model.choose(choice -> choice.selecting(grip.get().index()));
                 grips.nudge(0, 0, Math.pow(AWAY, turned));
             } else if (e.isControlDown()) zoom(Math.pow(ZOOM, -turned));

@@ -50,7 +50,7 @@ final class LitInputs {
     private static Optional<PointReading> reading(LightLabState state) {
         return state.drawn()
                 .filter(drawn -> drawn.choice().equals(state.choice()))
-                .flatMap(LightFrame.Drawn::point);
+                .flatMap(LightFrame.DrawnFrame::point);
     }
 
     /**
@@ -61,7 +61,7 @@ final class LitInputs {
         LightChoice choice = state.choice();
         Optional<FacePoints> given = given(choice, FacePoints.class);
         if (given.filter(input -> isLitAsShown(choice, input)).isPresent()) return given;
-        if (choice.lamp().kind() == Lamp.Kind.SUN) return Optional.empty();
+        if (choice.lamp().kind() == Lamp.LampKind.SUN) return Optional.empty();
         return given.map(input -> relit(input, choice))
                 .or(() -> reading(state).flatMap(point -> face(point, choice)));
     }

@@ -53,7 +53,7 @@ final class LitSceneSaving {
 
     /** The commands for what the file holds, even if the lamps have gone on since. */
     private String commands(LitSceneFile file) {
-        LightFrame.Drawn drawn = model.state().drawn().orElseThrow();
+        LightFrame.DrawnFrame drawn = model.state().drawn().orElseThrow();
         return file.commands(file.choice(), drawn.width(), drawn.height());
     }
 

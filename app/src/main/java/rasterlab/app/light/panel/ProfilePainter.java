@@ -32,10 +32,10 @@ final class ProfilePainter {
 
     private final Graphics2D g;
     private final Texts texts;
-    private final LightFrame.Drawn drawn;
+    private final LightFrame.DrawnFrame drawn;
     private final StageColors colors = StageColors.now();
 
-    ProfilePainter(Graphics2D g, Texts texts, LightFrame.Drawn drawn) {
+    ProfilePainter(Graphics2D g, Texts texts, LightFrame.DrawnFrame drawn) {
         this.g = g;
         this.texts = texts;
         this.drawn = drawn;
@@ -60,7 +60,7 @@ final class ProfilePainter {
         nameBrightness(box);
         boolean mach = drawn.choice().mach();
         for (int i = 0; i < drawn.pictures().size(); i++) {
-            LightFrame.Picture picture = drawn.pictures().get(i);
+            LightFrame.ShadedPicture picture = drawn.pictures().get(i);
             Color color = MethodColors.edgeOn(colors.ground(), LightPainter.COLORS.get(i));
             if (mach) curve(picture.reported(), box, color, true);
             curve(picture.brightness(), box, color, false);
@@ -153,7 +153,7 @@ final class ProfilePainter {
     private Legend legend() {
         var entries = new ArrayList<Legend.Entry>();
         for (int i = 0; i < drawn.pictures().size(); i++) {
-            LightFrame.Picture picture = drawn.pictures().get(i);
+            LightFrame.ShadedPicture picture = drawn.pictures().get(i);
             if (picture.brightness().length == 0) continue;
             Color color = MethodColors.edgeOn(colors.ground(), LightPainter.COLORS.get(i));
             entries.add(new Legend.Entry(texts.text("shading." + picture.name()), color, false));

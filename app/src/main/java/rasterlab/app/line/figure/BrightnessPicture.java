@@ -17,7 +17,7 @@ import rasterlab.app.line.trace.LineColors;
 
 /** Light for a pixel of length against the angle to the rows in degrees, method by method. */
 record BrightnessPicture(
-        SlopeFigure figure, List<String> methods, List<List<Double>> light, Words words)
+        SlopeFigure figure, List<String> methods, List<List<Double>> light, BrightnessWords words)
         implements PlanePicture {
     /**
      * The text that is written over it.
@@ -26,7 +26,7 @@ record BrightnessPicture(
      * @param degrees along the angles
      * @param light along the light
      */
-    record Words(String even, String degrees, String light) {}
+    record BrightnessWords(String even, String degrees, String light) {}
 
     /** The least contrast of lines so wide, each of which has its name and its own dashes too. */
     private static final double SEEN = 2;

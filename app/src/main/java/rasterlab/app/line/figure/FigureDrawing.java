@@ -34,7 +34,7 @@ import rasterlab.engine.study.LimitReached;
  */
 public record FigureDrawing(
         String method,
-        LineTrace.Ending ending,
+        LineTrace.TraceEnding ending,
         String message,
         PixelRecording pixels,
         boolean judged,
@@ -54,7 +54,7 @@ public record FigureDrawing(
                 scene.mode() == LineMode.BRIGHTNESS ? brightness(topics, method) : List.of();
         return new FigureDrawing(
                 method,
-                LineTrace.Ending.ENDED,
+                LineTrace.TraceEnding.ENDED,
                 "",
                 NO_PIXELS,
                 false,
@@ -88,21 +88,21 @@ public record FigureDrawing(
         int right = exact.map(PixelRecording::size).orElse(topics.mostJudged());
         var pixels = new PixelRecording((int) topics.circle().mostBeforeEndless(right));
         var decisions = new HashMap<RasterPoint, Double>();
-        LineTrace.Ending ending = LineTrace.Ending.ENDED;
+        LineTrace.TraceEnding ending = LineTrace.TraceEnding.ENDED;
         String message = "";
         try {
             topics.draw(arc, method, pixels);
             decisions(topics.walk(arc, method), right, decisions);
         } catch (LimitReached endless) {
-            ending = exact.isEmpty() ? LineTrace.Ending.CUT : LineTrace.Ending.ENDLESS;
+            ending = exact.isEmpty() ? LineTrace.TraceEnding.CUT : LineTrace.TraceEnding.ENDLESS;
         } catch (IllegalArgumentException refused) {
-            ending = LineTrace.Ending.REFUSED;
+            ending = LineTrace.TraceEnding.REFUSED;
             message = String.valueOf(refused.getMessage());
         } catch (RuntimeException crashed) {
-            ending = LineTrace.Ending.CRASHED;
+            ending = LineTrace.TraceEnding.CRASHED;
             message = crashed.toString();
         }
-        boolean refused = ending == LineTrace.Ending.REFUSED;
+        boolean refused = ending == LineTrace.TraceEnding.REFUSED;
         Optional<PixelRecording> wanted = refused ? Optional.of(pixels) : exact;
         Optional<PixelDifference> difference = wanted.map(all -> PixelDifference.of(all, pixels));
         return new FigureDrawing(
@@ -142,7 +142,7 @@ public record FigureDrawing(
 
     /** Whether the pixels are all that the method draws, so that they can be told apart. */
     boolean whole() {
-        return ending != LineTrace.Ending.REFUSED && ending != LineTrace.Ending.CUT;
+        return ending != LineTrace.TraceEnding.REFUSED && ending != LineTrace.TraceEnding.CUT;
     }
 
     public int steps() {

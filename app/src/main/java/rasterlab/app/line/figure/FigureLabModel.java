@@ -27,7 +27,8 @@ import rasterlab.engine.study.Method;
  * <p>Drawing runs on a thread of the model's own; answers and commands all run on the thread of the
  * executor it is given. Each change publishes a new immutable {@link FigureState}.
  */
-public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps, AutoCloseable {
+public final class FigureLabModel
+        implements Kept<FigureLabModel.FigureScenes>, Steps, AutoCloseable {
     private final FigureTopics topics;
     private final LatestOnly<FigureScene, FigureDrawings> drawings;
     private final History<Remembered> history = new History<>(this::present, this::bring);
@@ -69,14 +70,14 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
      *
      * @param last the mode that was shown last
      */
-    record Scenes(LineMode last, Map<LineMode, FigureScene> scenes) {
-        Scenes {
+    record FigureScenes(LineMode last, Map<LineMode, FigureScene> scenes) {
+        FigureScenes {
             scenes = Map.copyOf(scenes);
         }
     }
 
     /** The state that undo restores, with the numbers that brought it into sight. */
-    private record Remembered(Scenes scenes, int arrangement, int sought) {}
+    private record Remembered(FigureScenes scenes, int arrangement, int sought) {}
 
     public FigureState state() {
         return state;
@@ -228,17 +229,17 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     }
 
     @Override
-    public Class<Scenes> keptType() {
-        return Scenes.class;
+    public Class<FigureScenes> keptType() {
+        return FigureScenes.class;
     }
 
     @Override
-    public Scenes kept() {
-        return new Scenes(state.scene().mode(), scenes);
+    public FigureScenes kept() {
+        return new FigureScenes(state.scene().mode(), scenes);
     }
 
     @Override
-    public void restore(Scenes choice) {
+    public void restore(FigureScenes choice) {
         if (!choice.scenes().keySet().equals(scenes.keySet()))
             throw new IllegalArgumentException(
                     "the modes must be " + scenes.keySet() + ", got " + choice.scenes().keySet());

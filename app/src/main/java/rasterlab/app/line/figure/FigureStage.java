@@ -162,7 +162,7 @@ public final class FigureStage extends JPanel implements AutoCloseable {
                             light.add(other.brightness());
                         });
         var words =
-                new BrightnessPicture.Words(
+                new BrightnessPicture.BrightnessWords(
                         texts.text("figure.even"),
                         texts.text("chart.degrees"),
                         texts.text("figure.light"));
@@ -206,7 +206,7 @@ public final class FigureStage extends JPanel implements AutoCloseable {
                 grip,
                 at.x(),
                 at.y(),
-                center ? PlanePoint.Form.CIRCLE : PlanePoint.Form.SQUARE,
+                center ? PlanePoint.HandleShape.CIRCLE : PlanePoint.HandleShape.SQUARE,
                 "",
                 texts.text("figure.keys", said));
     }

@@ -24,10 +24,10 @@ public record LineTrace(
         PixelRecording pixels,
         List<Double> decisions,
         SteppedLine.Decides decides,
-        Ending ending,
+        TraceEnding ending,
         String message) {
     /** How the drawing came to its end. */
-    public enum Ending {
+    public enum TraceEnding {
         /** The method reached its own end. */
         ENDED,
         /** The figure has more pixels than the lab draws. */
@@ -58,15 +58,15 @@ public record LineTrace(
         try {
             if (method instanceof SteppedLine stepped) walk(stepped, segment, pixels, decisions);
             else draw(method, segment, pixels);
-            return ended(method, pixels, decisions, Ending.ENDED, "");
+            return ended(method, pixels, decisions, TraceEnding.ENDED, "");
         } catch (LimitReached e) {
             boolean longer = segment.steps() >= limit;
-            Ending ending = longer ? Ending.CUT : Ending.ENDLESS;
+            TraceEnding ending = longer ? TraceEnding.CUT : TraceEnding.ENDLESS;
             return ended(method, pixels, decisions, ending, e.getMessage());
         } catch (IllegalArgumentException e) {
-            return ended(method, pixels, decisions, Ending.REFUSED, e.getMessage());
+            return ended(method, pixels, decisions, TraceEnding.REFUSED, e.getMessage());
         } catch (RuntimeException e) {
-            return ended(method, pixels, decisions, Ending.CRASHED, e.toString());
+            return ended(method, pixels, decisions, TraceEnding.CRASHED, e.toString());
         }
     }
 
@@ -74,7 +74,7 @@ public record LineTrace(
             LineRasterizer method,
             PixelRecording pixels,
             List<Double> decisions,
-            Ending ending,
+            TraceEnding ending,
             String message) {
         SteppedLine.Decides decides =
                 method instanceof SteppedLine stepped

@@ -28,7 +28,7 @@ public final class OffscreenContext implements AutoCloseable {
     }
 
     /** The part of OpenGL that a context has. */
-    public enum Profile {
+    public enum ContextProfile {
         /** Everything since 1.0, for programs of OpenGL 1 and 2. */
         OLD(2, 1, 0),
         /** OpenGL 3.3 without what was taken out of it. */
@@ -38,7 +38,7 @@ public final class OffscreenContext implements AutoCloseable {
         private final int minor;
         private final int mask;
 
-        Profile(int major, int minor, int mask) {
+        ContextProfile(int major, int minor, int mask) {
             this.major = major;
             this.minor = minor;
             this.mask = mask;
@@ -61,7 +61,7 @@ public final class OffscreenContext implements AutoCloseable {
      *
      * @throws NoOpenGl with the reason where there is none
      */
-    public static OffscreenContext open(Profile profile) {
+    public static OffscreenContext open(ContextProfile profile) {
         try {
             return create(profile);
         } catch (LinkageError | IllegalStateException e) {
@@ -69,7 +69,7 @@ public final class OffscreenContext implements AutoCloseable {
         }
     }
 
-    private static OffscreenContext create(Profile profile) {
+    private static OffscreenContext create(ContextProfile profile) {
         try (var stack = MemoryStack.stackPush()) {
             long display = display(stack.pointers(EGL10.EGL_NONE));
             require(display != EGL10.EGL_NO_DISPLAY, "EGL has no display without a surface");

@@ -29,7 +29,7 @@ public final class Bills<Q, B> implements AutoCloseable {
      */
     public Bills(
             String name,
-            LatestOnly.Work<Q, Optional<B>> found,
+            LatestOnly.LongWork<Q, Optional<B>> found,
             Executor events,
             Consumer<Throwable> onFailure) {
         work =

@@ -7,13 +7,13 @@ import rasterlab.engine.geometry.Bounds;
  *
  * @param index of a corner, counted from 0; 0 for the others, of which there is one
  */
-public record Grip(Kind kind, int index) {
+public record Grip(PolygonGripKind kind, int index) {
     public Grip {
         Bounds.requireAtLeast("index", index, 0);
     }
 
     /** The thing that a grip belongs to. */
-    public enum Kind {
+    public enum PolygonGripKind {
         CORNER,
         /** The point that is judged step by step. */
         POINT,
@@ -23,12 +23,12 @@ public record Grip(Kind kind, int index) {
         PEN
     }
 
-    public static final Grip POINT = new Grip(Kind.POINT, 0);
-    public static final Grip SEED = new Grip(Kind.SEED, 0);
-    public static final Grip PEN = new Grip(Kind.PEN, 0);
+    public static final Grip POINT = new Grip(PolygonGripKind.POINT, 0);
+    public static final Grip SEED = new Grip(PolygonGripKind.SEED, 0);
+    public static final Grip PEN = new Grip(PolygonGripKind.PEN, 0);
 
     public static Grip corner(int index) {
-        return new Grip(Kind.CORNER, index);
+        return new Grip(PolygonGripKind.CORNER, index);
     }
 
     /** Name of the component that moves it. */

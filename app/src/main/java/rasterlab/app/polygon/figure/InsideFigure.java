@@ -68,20 +68,20 @@ public record InsideFigure(
     @Override
     public InsideFigure moved(Grip grip, PolygonPoint to) {
         PolygonPoint place = whole ? to.whole() : to;
-        return grip.kind() == Grip.Kind.CORNER
+        return grip.kind() == Grip.PolygonGripKind.CORNER
                 ? with(CornerList.replaced(corners, grip.index(), place))
                 : new InsideFigure(triangle, corners, CornerList.replaced(points, 0, place), whole);
     }
 
     @Override
     public InsideFigure grown(Grip beside) {
-        boolean corner = !triangle && beside.kind() == Grip.Kind.CORNER;
+        boolean corner = !triangle && beside.kind() == Grip.PolygonGripKind.CORNER;
         return corner ? with(CornerList.grown(corners, beside.index())) : this;
     }
 
     @Override
     public InsideFigure without(Grip grip) {
-        if (grip.kind() == Grip.Kind.CORNER)
+        if (grip.kind() == Grip.PolygonGripKind.CORNER)
             return with(CornerList.removed(corners, grip.index(), 3));
         return points.size() == 1
                 ? this

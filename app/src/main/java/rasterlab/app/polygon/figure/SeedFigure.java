@@ -117,7 +117,7 @@ public record SeedFigure(
     @Override
     public SeedFigure moved(Grip grip, PolygonPoint to) {
         PolygonPoint pixel = clamped(to);
-        return grip.kind() == Grip.Kind.SEED
+        return grip.kind() == Grip.PolygonGripKind.SEED
                 ? new SeedFigure(rows, pixel, pen, connectivity, same)
                 : new SeedFigure(rows, seed, pixel, connectivity, same);
     }

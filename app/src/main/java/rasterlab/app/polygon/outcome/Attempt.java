@@ -4,24 +4,24 @@ import rasterlab.engine.study.LimitReached;
 
 /** Runs a method and takes down how it ended. */
 final class Attempt {
-    private MethodOutcome.Ending ending = MethodOutcome.Ending.ENDED;
+    private MethodOutcome.MethodEnding ending = MethodOutcome.MethodEnding.ENDED;
     private String message = "";
 
     Attempt(Runnable method) {
         try {
             method.run();
         } catch (LimitReached endless) {
-            ending = MethodOutcome.Ending.ENDLESS;
+            ending = MethodOutcome.MethodEnding.ENDLESS;
         } catch (IllegalArgumentException refused) {
-            ending = MethodOutcome.Ending.REFUSED;
+            ending = MethodOutcome.MethodEnding.REFUSED;
             message = String.valueOf(refused.getMessage());
         } catch (RuntimeException | StackOverflowError crashed) {
-            ending = MethodOutcome.Ending.CRASHED;
+            ending = MethodOutcome.MethodEnding.CRASHED;
             message = crashed.toString();
         }
     }
 
-    MethodOutcome.Ending ending() {
+    MethodOutcome.MethodEnding ending() {
         return ending;
     }
 

@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param of how many there are to be
  */
-public record CutAnswer(List<Cut> cuts, int of) implements PolygonAnswer {
+public record CutAnswer(List<CutTriangle> cuts, int of) implements PolygonAnswer {
     /**
      * A triangle that was cut off at a corner.
      *
@@ -17,10 +17,10 @@ public record CutAnswer(List<Cut> cuts, int of) implements PolygonAnswer {
      * @param turns of three corners computed up to here
      * @param fault what is wrong with it
      */
-    public record Cut(int a, int b, int c, long turns, Fault fault) {}
+    public record CutTriangle(int a, int b, int c, long turns, TriangleFault fault) {}
 
     /** A fault that a triangle can have by itself. */
-    public enum Fault {
+    public enum TriangleFault {
         NONE,
         CLOCKWISE,
         NO_AREA,

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.app.polygon.figure.CornerList;
 import rasterlab.app.polygon.figure.CutFigure;
-import rasterlab.app.polygon.outcome.CutAnswer.Cut;
-import rasterlab.app.polygon.outcome.CutAnswer.Fault;
+import rasterlab.app.polygon.outcome.CutAnswer.CutTriangle;
+import rasterlab.app.polygon.outcome.CutAnswer.TriangleFault;
 import rasterlab.contract.Triangulator;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Points;
@@ -34,7 +34,7 @@ final class Cutting {
             Topic<Triangulator, Points, Triangles> topic, CutFigure figure, String method) {
         Points corners = CornerList.points(figure.corners());
         var cutting = new Cutting(corners);
-        var cuts = new ArrayList<Cut>();
+        var cuts = new ArrayList<CutTriangle>();
         var attempt =
                 new Attempt(
                         () -> {
@@ -48,7 +48,7 @@ final class Cutting {
                         });
         Triangles right = topic.exact(corners, topic.mostItems());
         Deviation deviation =
-                attempt.ending() == MethodOutcome.Ending.REFUSED
+                attempt.ending() == MethodOutcome.MethodEnding.REFUSED
                         ? Deviation.NONE
                         : topic.compare(corners, right, triangles(cuts));
         return new MethodOutcome(
@@ -59,18 +59,18 @@ final class Cutting {
                 new CutAnswer(cuts, right.size()));
     }
 
-    private void drain(SteppedTriangulator stepped, List<Cut> cuts) {
+    private void drain(SteppedTriangulator stepped, List<CutTriangle> cuts) {
         TriangleWalk walk = stepped.walk(corners.xs(), corners.ys());
         while (walk.advance()) {
             if (cuts.size() == 2 * corners.size())
                 throw new LimitReached(2 * corners.size(), triangles(cuts));
             int[] abc = {walk.a(), walk.b(), walk.c()};
-            cuts.add(new Cut(abc[0], abc[1], abc[2], walk.turns(), fault(abc)));
+            cuts.add(new CutTriangle(abc[0], abc[1], abc[2], walk.turns(), fault(abc)));
         }
     }
 
     /** Takes an answer triangle by triangle; how many turns they took is not known. */
-    private void take(Triangles answer, List<Cut> cuts) {
+    private void take(Triangles answer, List<CutTriangle> cuts) {
         for (int i = 0; i < answer.size(); i++) {
             int[] abc = {answer.corner(i, 0), answer.corner(i, 1), answer.corner(i, 2)};
             for (int corner : abc)
@@ -78,14 +78,14 @@ final class Cutting {
                     throw new NoAnswer(
                             Verdict.Kind.WRONG,
                             "your program's answer cannot be used: there is no corner " + corner);
-            cuts.add(new Cut(abc[0], abc[1], abc[2], 0, fault(abc)));
+            cuts.add(new CutTriangle(abc[0], abc[1], abc[2], 0, fault(abc)));
         }
     }
 
-    private Fault fault(int[] abc) {
+    private TriangleFault fault(int[] abc) {
         int turn = exact.doubledArea(abc[0], abc[1], abc[2]).signum();
-        if (turn == 0) return Fault.NO_AREA;
-        if (turn < 0) return Fault.CLOCKWISE;
+        if (turn == 0) return TriangleFault.NO_AREA;
+        if (turn < 0) return TriangleFault.CLOCKWISE;
         var inside =
                 new ExactMembership(
                         Points.of(
@@ -97,8 +97,8 @@ final class Cutting {
                                 corners.y(abc[2])));
         for (int i = 0; i < corners.size(); i++)
             if (isOther(i, abc) && inside.contains(corners.x(i), corners.y(i)))
-                return Fault.HOLDS_A_CORNER;
-        return Fault.NONE;
+                return TriangleFault.HOLDS_A_CORNER;
+        return TriangleFault.NONE;
     }
 
     private boolean isOther(int corner, int[] abc) {
@@ -108,7 +108,7 @@ final class Cutting {
         return true;
     }
 
-    private static Triangles triangles(List<Cut> cuts) {
+    private static Triangles triangles(List<CutTriangle> cuts) {
         return new Triangles(
                 cuts.stream()
                         .flatMapToInt(cut -> IntStream.of(cut.a(), cut.b(), cut.c()))

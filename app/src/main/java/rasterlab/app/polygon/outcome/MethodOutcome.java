@@ -9,9 +9,13 @@ import rasterlab.engine.study.Deviation;
  * @param deviation from the exact answer
  */
 public record MethodOutcome(
-        String method, Ending ending, String message, Deviation deviation, PolygonAnswer answer) {
+        String method,
+        MethodEnding ending,
+        String message,
+        Deviation deviation,
+        PolygonAnswer answer) {
     /** How it came to its end. */
-    public enum Ending {
+    public enum MethodEnding {
         ENDED,
         /** The method threw for what it cannot do. */
         REFUSED,
@@ -22,7 +26,7 @@ public record MethodOutcome(
 
     /** Whether it is what the exact answer is. */
     public boolean isRight() {
-        return ending == Ending.ENDED && deviation.exact();
+        return ending == MethodEnding.ENDED && deviation.exact();
     }
 
     public int steps() {

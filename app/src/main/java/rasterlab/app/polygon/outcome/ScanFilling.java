@@ -34,7 +34,7 @@ final class ScanFilling {
                                 drain(stepped, task, filled, runs, crossings);
                             else take(filler, task, filled, runs);
                         });
-        boolean refused = attempt.ending() == MethodOutcome.Ending.REFUSED;
+        boolean refused = attempt.ending() == MethodOutcome.MethodEnding.REFUSED;
         PixelDifference difference = PixelDifference.of(refused ? filled : exact, filled);
         return new MethodOutcome(
                 method,

@@ -40,7 +40,7 @@ final class SeedFilling {
         if (runs.size() == 0)
             for (int i = 0; i < written.size(); i++)
                 runs.add(written.y(i), written.x(i), written.x(i) + 1, 0);
-        boolean refused = attempt.ending() == MethodOutcome.Ending.REFUSED;
+        boolean refused = attempt.ending() == MethodOutcome.MethodEnding.REFUSED;
         PixelDifference difference = PixelDifference.of(refused ? written : exact, written);
         return new MethodOutcome(
                 method,

@@ -15,7 +15,7 @@ import rasterlab.exercises.scene.MethodCase;
  *
  * @param program the user's own, shown beside the right method; empty for none
  */
-public record FirstCase(MethodCase scene, Optional<Program> program) {
+public record FirstCase(MethodCase scene, Optional<WrittenSource> program) {
     private static final Pattern COMMENT = Pattern.compile("//.*|/\\*[\\s\\S]*?\\*/");
 
     /**
@@ -23,7 +23,7 @@ public record FirstCase(MethodCase scene, Optional<Program> program) {
      *
      * @param file that it was read from
      */
-    public record Program(Exercise exercise, String source, String file) {}
+    public record WrittenSource(Exercise exercise, String source, String file) {}
 
     /**
      * @throws IllegalArgumentException if there is no such topic or method, or the input cannot be

@@ -106,14 +106,14 @@ public final class LabOpening implements OpenInLab {
     private <M> void showHazard(TopicCard<M> card, TopicInput input, String method) {
         M lab = models.of(card.lab());
         int mine = ++asked;
-        Optional<TopicBinding.Notes<M>> notes = card.way().notes();
+        Optional<TopicBinding.PictureNotes<M>> notes = card.way().notes();
         if (notes.isEmpty()) show(card, lab, input, method);
         else background.execute(() -> tryAndShow(card, notes.get(), lab, input, method, mine));
     }
 
     private <M> void tryAndShow(
             TopicCard<M> card,
-            TopicBinding.Notes<M> notes,
+            TopicBinding.PictureNotes<M> notes,
             M lab,
             TopicInput input,
             String method,
@@ -133,12 +133,12 @@ public final class LabOpening implements OpenInLab {
 
     /** Tries the method, if there is something to say of it. */
     private <M> Optional<HazardNote> note(
-            TopicBinding.Notes<M> notes, M lab, TopicInput input, String method) {
+            TopicBinding.PictureNotes<M> notes, M lab, TopicInput input, String method) {
         if (method.isEmpty()) return Optional.empty();
         Verdict verdict = verdict(models.own().in(named(input.topic())), input.hazard(), method);
         var differences = new ArrayList<>(notes.differences().differences(lab, input, method));
         if (verdict.kind() != Verdict.Kind.EXACT && !notes.drawsBy().test(method))
-            differences.add(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD));
+            differences.add(ShownDifference.of(ShownDifference.ShownDifferenceKind.OTHER_METHOD));
         return differences.isEmpty()
                 ? Optional.empty()
                 : Optional.of(new HazardNote(input.hazard(), method, verdict, differences));
@@ -250,7 +250,7 @@ public final class LabOpening implements OpenInLab {
                                         .open(own.exercise(), own.source(), own.file()));
         MethodCase scene = one.scene();
         String right = scene.method().orElse("");
-        Optional<FirstCase.Program> program =
+        Optional<FirstCase.WrittenSource> program =
                 one.program().filter(own -> obstacleToOwn(scene.topic()).isEmpty());
         if (program.isPresent()) {
             models.own().bring(program.get().exercise(), program.get().source());

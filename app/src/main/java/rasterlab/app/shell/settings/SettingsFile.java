@@ -79,7 +79,7 @@ public final class SettingsFile {
             var kept = new Properties();
             kept.load(in);
             return SettingsText.read(kept);
-        } catch (SettingsText.Wrong e) {
+        } catch (SettingsText.UnreadableSettings e) {
             setAside(e.problem());
         } catch (CharacterCodingException | IllegalArgumentException e) {
             setAside(Problem.of("settings.noText"));

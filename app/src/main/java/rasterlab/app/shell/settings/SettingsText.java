@@ -18,12 +18,12 @@ final class SettingsText {
     private SettingsText() {}
 
     /** The lines hold something else than the window writes. */
-    static final class Wrong extends Exception {
+    static final class UnreadableSettings extends Exception {
         private static final long serialVersionUID = 1L;
 
         private final transient Problem problem;
 
-        Wrong(String key, Object... arguments) {
+        UnreadableSettings(String key, Object... arguments) {
             problem = Problem.of(key, arguments);
         }
 
@@ -71,9 +71,9 @@ final class SettingsText {
     }
 
     /**
-     * @throws Wrong naming the key, the value and what is allowed
+     * @throws UnreadableSettings naming the key, the value and what is allowed
      */
-    static LabSettings read(Properties kept) throws Wrong {
+    static LabSettings read(Properties kept) throws UnreadableSettings {
         var look =
                 new LabLook(
                         one(kept, "theme", List.of(LabTheme.values())),
@@ -90,7 +90,7 @@ final class SettingsText {
                 chosen(kept));
     }
 
-    private static LastChosen chosen(Properties kept) throws Wrong {
+    private static LastChosen chosen(Properties kept) throws UnreadableSettings {
         PictureForm form = LastChosen.NONE.form();
         if (kept.containsKey("picture")) form = one(kept, "picture", List.of(PictureForm.values()));
         return new LastChosen(folder(kept.getProperty("folder", "")), form);
@@ -105,24 +105,26 @@ final class SettingsText {
         }
     }
 
-    private static String value(Properties kept, String key) throws Wrong {
+    private static String value(Properties kept, String key) throws UnreadableSettings {
         String value = kept.getProperty(key);
-        if (value == null) throw new Wrong("settings.missing", key);
+        if (value == null) throw new UnreadableSettings("settings.missing", key);
         return value.strip();
     }
 
-    private static <T> T one(Properties kept, String key, List<T> allowed) throws Wrong {
+    private static <T> T one(Properties kept, String key, List<T> allowed)
+            throws UnreadableSettings {
         String value = value(kept, key);
         for (T each : allowed) if (each.toString().equals(value)) return each;
         String names = String.join(", ", allowed.stream().map(Object::toString).toList());
-        throw new Wrong("settings.choice", key, names, value);
+        throw new UnreadableSettings("settings.choice", key, names, value);
     }
 
-    private static Optional<Rectangle> bounds(String text) throws Wrong {
+    private static Optional<Rectangle> bounds(String text) throws UnreadableSettings {
         if (text.isEmpty()) return Optional.empty();
-        if (!text.matches("-?\\d{1,9}( +-?\\d{1,9}){3}")) throw new Wrong("settings.bounds", text);
+        if (!text.matches("-?\\d{1,9}( +-?\\d{1,9}){3}"))
+            throw new UnreadableSettings("settings.bounds", text);
         int[] n = Stream.of(text.split(" +")).mapToInt(Integer::parseInt).toArray();
-        if (n[2] < 1 || n[3] < 1) throw new Wrong("settings.bounds", text);
+        if (n[2] < 1 || n[3] < 1) throw new UnreadableSettings("settings.bounds", text);
         return Optional.of(new Rectangle(n[0], n[1], n[2], n[3]));
     }
 }

@@ -77,14 +77,15 @@ record DrawnBody(
                         .toArray();
         differences.add(
                 found.isEmpty()
-                        ? ShownDifference.of(ShownDifference.Kind.FACES_ALL)
+                        ? ShownDifference.of(ShownDifference.ShownDifferenceKind.FACES_ALL)
                         : ShownDifference.of(
-                                ShownDifference.Kind.FACES_FOUND,
+                                ShownDifference.ShownDifferenceKind.FACES_FOUND,
                                 method,
                                 drawn.length,
                                 found.get().size()));
         if (exponent != 0)
-            differences.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
+            differences.add(
+                    ShownDifference.of(ShownDifference.ShownDifferenceKind.SCALED, exponent));
         var faces = new ArrayList<int[]>();
         var numbers = new ArrayList<Integer>();
         boolean all = true;
@@ -94,7 +95,9 @@ record DrawnBody(
             faces.addAll(pieces);
             pieces.forEach(piece -> numbers.add(face));
         }
-        if (!all) differences.add(ShownDifference.of(ShownDifference.Kind.FACES_WITHOUT_AREA));
+        if (!all)
+            differences.add(
+                    ShownDifference.of(ShownDifference.ShownDifferenceKind.FACES_WITHOUT_AREA));
         return new DrawnBody(
                 new Mesh(xyz, faces.toArray(int[][]::new)),
                 numbers.stream().mapToInt(Integer::intValue).toArray(),

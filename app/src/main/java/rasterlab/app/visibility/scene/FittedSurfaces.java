@@ -31,7 +31,10 @@ record FittedSurfaces(Mesh mesh, double scale, List<ShownDifference> differences
         PictureFit fit = input.view().fit();
         var differences = new ArrayList<ShownDifference>();
         differences.add(
-                ShownDifference.of(ShownDifference.Kind.PICTURE_SIZE, fit.width(), fit.height()));
+                ShownDifference.of(
+                        ShownDifference.ShownDifferenceKind.PICTURE_SIZE,
+                        fit.width(),
+                        fit.height()));
         Mesh mesh = input.mesh();
         boolean central = input.view().transform().projection() == Projection.PERSPECTIVE;
         Matrix4d toEye = input.camera().matrix();
@@ -47,7 +50,8 @@ record FittedSurfaces(Mesh mesh, double scale, List<ShownDifference> differences
             double factor = Math.rint(HIGHER * wide / high);
             mesh = higher(mesh, factor);
             high *= factor;
-            differences.add(ShownDifference.of(ShownDifference.Kind.STRETCHED, factor));
+            differences.add(
+                    ShownDifference.of(ShownDifference.ShownDifferenceKind.STRETCHED, factor));
         }
         return new FittedSurfaces(mesh, reach / Math.max(wide, high), differences);
     }

@@ -27,7 +27,8 @@ record PaintedSight(List<Painting.Piece> pieces, int exponent, List<ShownDiffere
         var differences = new ArrayList<ShownDifference>();
         List<Painting.Piece> pieces = topic.exact(sight, topic.mostItems()).pieces();
         if (method.isEmpty())
-            differences.add(ShownDifference.of(ShownDifference.Kind.PAINTED_AS_GIVEN));
+            differences.add(
+                    ShownDifference.of(ShownDifference.ShownDifferenceKind.PAINTED_AS_GIVEN));
         else {
             try {
                 pieces =
@@ -36,13 +37,16 @@ record PaintedSight(List<Painting.Piece> pieces, int exponent, List<ShownDiffere
                                         sight,
                                         topic.mostItems())
                                 .pieces();
-                differences.add(ShownDifference.of(ShownDifference.Kind.PAINTED_IN_ORDER, method));
+                differences.add(
+                        ShownDifference.of(
+                                ShownDifference.ShownDifferenceKind.PAINTED_IN_ORDER, method));
             } catch (IllegalArgumentException refused) {
-                differences.add(ShownDifference.of(ShownDifference.Kind.PAINTED_AS_GIVEN));
+                differences.add(
+                        ShownDifference.of(ShownDifference.ShownDifferenceKind.PAINTED_AS_GIVEN));
             }
         }
         int exponent = Math.getExponent(AWAY / rho);
-        differences.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
+        differences.add(ShownDifference.of(ShownDifference.ShownDifferenceKind.SCALED, exponent));
         return new PaintedSight(pieces, exponent, differences);
     }
 

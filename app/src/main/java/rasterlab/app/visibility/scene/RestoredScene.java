@@ -28,7 +28,7 @@ public record RestoredScene(OpenedFiles.View view, UpAxis up, VisibilityChoice b
      *
      * @throws Complaint naming the file and the place in it, if the scene cannot be read
      */
-    SceneFiles.Answer read() {
+    SceneFiles.SceneAnswer read() {
         SceneChoice bare =
                 view.scene().map(file -> SceneFiles.scene(file, up)).orElse(before.shown());
         if (view.picture().isEmpty()) return shown(bare, "");
@@ -42,13 +42,13 @@ public record RestoredScene(OpenedFiles.View view, UpAxis up, VisibilityChoice b
         }
     }
 
-    private SceneFiles.Answer uncovered(SceneChoice bare, String problem) {
+    private SceneFiles.SceneAnswer uncovered(SceneChoice bare, String problem) {
         return shown(
                 bare, problem + "; the scene " + bare.name() + " is shown without the picture");
     }
 
-    private SceneFiles.Answer shown(SceneChoice scene, String problem) {
-        return new SceneFiles.Answer(
+    private SceneFiles.SceneAnswer shown(SceneChoice scene, String problem) {
+        return new SceneFiles.SceneAnswer(
                 now -> {
                     try {
                         return seen(now, scene);

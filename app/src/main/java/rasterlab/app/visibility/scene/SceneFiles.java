@@ -39,29 +39,31 @@ public final class SceneFiles {
      * @param problem in one line with the place in the file; "" if there was none
      * @param notes what is told of a file that is shown; "" for nothing
      */
-    public record Answer(UnaryOperator<VisibilityChoice> change, String problem, String notes) {
-        Answer(UnaryOperator<VisibilityChoice> change, String problem) {
+    public record SceneAnswer(
+            UnaryOperator<VisibilityChoice> change, String problem, String notes) {
+        SceneAnswer(UnaryOperator<VisibilityChoice> change, String problem) {
             this(change, problem, "");
         }
     }
 
     /** The files that the user opens. */
-    public static Answer read(Path file) {
-        return read(file, () -> isModel(file) ? model(file) : new Answer(opened(file), ""), "");
+    public static SceneAnswer read(Path file) {
+        return read(
+                file, () -> isModel(file) ? model(file) : new SceneAnswer(opened(file), ""), "");
     }
 
     /** The view that an earlier run showed. */
-    public static Answer read(RestoredScene back) {
+    public static SceneAnswer read(RestoredScene back) {
         return read(back.file(), back::read, back.instead());
     }
 
-    private static Answer read(Path file, Supplier<Answer> reading, String instead) {
+    private static SceneAnswer read(Path file, Supplier<SceneAnswer> reading, String instead) {
         try {
             return reading.get();
         } catch (Complaint complaint) {
-            return new Answer(choice -> choice, complaint.getMessage() + instead);
+            return new SceneAnswer(choice -> choice, complaint.getMessage() + instead);
         } catch (IllegalArgumentException e) {
-            return new Answer(choice -> choice, file + ": " + e.getMessage() + instead);
+            return new SceneAnswer(choice -> choice, file + ": " + e.getMessage() + instead);
         }
     }
 
@@ -91,14 +93,14 @@ public final class SceneFiles {
         return choice -> choice.with(choice.shown().covered(file, texture), choice.camera());
     }
 
-    private static Answer model(Path file) {
+    private static SceneAnswer model(Path file) {
         ModelNotes read = ModelNotes.read(file);
         SceneChoice model = SceneChoice.model(file, read.scene(), UpAxis.Y);
-        return new Answer(choice -> choice.with(model), "", read.told());
+        return new SceneAnswer(choice -> choice.with(model), "", read.told());
     }
 
     /** The model that is shown, with another axis up, as its file has it now; the eye stays. */
-    public static Answer standing(SceneChoice shown, UpAxis up) {
+    public static SceneAnswer standing(SceneChoice shown, UpAxis up) {
         Path file = shown.file().orElseThrow();
         return read(
                 file,
@@ -108,7 +110,7 @@ public final class SceneFiles {
                             shown.image()
                                     .map(image -> bare.covered(image, PictureFile.texture(image)))
                                     .orElse(bare);
-                    return new Answer(
+                    return new SceneAnswer(
                             now -> now.shown().equals(shown) ? now.with(next, now.camera()) : now,
                             "");
                 },

@@ -17,7 +17,7 @@ class KeptFileTest {
     private final Texts lab = new Texts();
     private final KeptFile<String, String, String> files = new KeptFile<>(lab, readings::add);
 
-    private static final class Texts implements KeptFile.Lab<String, String, String> {
+    private static final class Texts implements KeptFile.FileLab<String, String, String> {
         private String shown = OWN;
         private String told = "";
 

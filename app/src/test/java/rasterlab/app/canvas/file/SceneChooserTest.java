@@ -93,7 +93,8 @@ class SceneChooserTest {
         assertFalse(scenes.accept(new File("cube.obj")));
         assertTrue(scenes.accept(folder.toFile()), "folders can be entered");
         FileFilter opened =
-                new SceneChooser.Ending("all", List.of(".scene.json", ".obj", ".png", ".jpeg"));
+                new SceneChooser.EndingFilter(
+                        "all", List.of(".scene.json", ".obj", ".png", ".jpeg"));
         for (String name : List.of("vase.scene.json", "cube.obj", "bricks.png", "wood.JPEG"))
             assertTrue(opened.accept(new File(name)), name);
         assertFalse(opened.accept(new File("notes.txt")));

@@ -6,14 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.widget.Formula.FormulaWords;
 import rasterlab.app.canvas.widget.Formula.Matrix;
-import rasterlab.app.canvas.widget.Formula.Words;
 
 class FormulaTest {
     @Test
     void assistiveTechnologyReadsRowByRow() {
         var matrix = new Matrix(List.of(List.of("1", "2"), List.of("3", "4")));
-        assertEquals("M = [1 2; 3 4]", Formula.of(new Words("M ="), matrix).said());
+        assertEquals("M = [1 2; 3 4]", Formula.of(new FormulaWords("M ="), matrix).said());
         assertEquals("[0,5 1]", Matrix.row(Stream.of("0,5", "1")).said());
     }
 

@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.NO_IMAGE;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.POINTS_TOGETHER;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.POINT_BEYOND;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.NO_IMAGE;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.POINTS_TOGETHER;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.POINT_BEYOND;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
@@ -44,7 +44,7 @@ import rasterlab.engine.study.Verdict;
 @Timeout(300)
 class ListTrialTest {
     /** Hazards whose picture is not all of it, by some method, and in what. */
-    private static final Map<String, Set<ShownDifference.Kind>> UNLIKE =
+    private static final Map<String, Set<ShownDifference.ShownDifferenceKind>> UNLIKE =
             Map.of(
                     "transform at-the-eye", EnumSet.of(NO_IMAGE),
                     "transform behind-the-eye", EnumSet.of(POINTS_TOGETHER),
@@ -137,12 +137,12 @@ class ListTrialTest {
     @Test
     @DisplayName("what the picture cannot show is not said")
     void whatThePictureCannotShowIsKnown() {
-        var found = new TreeMap<String, Set<ShownDifference.Kind>>();
+        var found = new TreeMap<String, Set<ShownDifference.ShownDifferenceKind>>();
         for (Trial trial : trials())
             for (ShownDifference each : tried(trial).differences())
                 found.computeIfAbsent(
                                 trial.topic() + " " + trial.hazard(),
-                                name -> EnumSet.noneOf(ShownDifference.Kind.class))
+                                name -> EnumSet.noneOf(ShownDifference.ShownDifferenceKind.class))
                         .add(each.kind());
         assertEquals(new TreeMap<>(UNLIKE), found);
     }
@@ -171,13 +171,14 @@ class ListTrialTest {
     void wrongPointIsDrawnBesideTheRightOne() {
         TrialScene scene = tried(new Trial("rotate-axis", "axis-along-x", "seven-steps-textbook"));
         List<Mark> marks = marks(scene);
-        Mark.Dot dot = only(marks, Mark.Dot.class, "seven-steps-textbook");
-        Mark.Cross cross =
-                (Mark.Cross) marks.stream().filter(m -> m instanceof Mark.Cross).findAny().get();
+        Mark.DotMark dot = only(marks, Mark.DotMark.class, "seven-steps-textbook");
+        Mark.CrossMark cross =
+                (Mark.CrossMark)
+                        marks.stream().filter(m -> m instanceof Mark.CrossMark).findAny().get();
         assertTrue(Math.hypot(dot.at().x() - cross.at().x(), dot.at().y() - cross.at().y()) > 0.1);
         assertEquals("seven-steps-textbook", dot.label());
         TrialScene right = tried(new Trial("rotate-axis", "axis-along-x", "rodrigues"));
-        Mark.Dot same = only(marks(right), Mark.Dot.class, "rodrigues");
+        Mark.DotMark same = only(marks(right), Mark.DotMark.class, "rodrigues");
         assertEquals("", same.label());
         assertEquals(cross.at().x(), same.at().x(), 1e-9);
     }
@@ -212,7 +213,7 @@ class ListTrialTest {
                 marks(tried(lost)).stream()
                         .anyMatch(
                                 mark ->
-                                        mark instanceof Mark.Wrong wrong
+                                        mark instanceof Mark.WrongMark wrong
                                                 && wrong.kind() == PixelMark.MISSING));
     }
 
@@ -350,8 +351,8 @@ class ListTrialTest {
     @Test
     @DisplayName("a point far away makes the others one")
     void pointThatIsFarAwayIsLeftOutAndSaidToBe() {
-        var near = new TrialScene.Placed(new double[] {1, 2, 3}, Optional.empty());
-        var far = new TrialScene.Placed(new double[] {1, 2, 3e5}, Optional.empty());
+        var near = new TrialScene.TrialPoints(new double[] {1, 2, 3}, Optional.empty());
+        var far = new TrialScene.TrialPoints(new double[] {1, 2, 3e5}, Optional.empty());
         var scene =
                 new TrialScene(
                         new Trial("view", "pole", "one-matrix"),

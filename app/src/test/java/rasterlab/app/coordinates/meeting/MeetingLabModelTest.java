@@ -43,7 +43,7 @@ class MeetingLabModelTest {
     @MethodSource("hazards")
     void everyHazardEndsAsItIsRecorded(Hazard<PlaneAndLines> hazard) {
         model.show(hazard.input());
-        for (MeetingScene.Answer each : model.scene().answers()) {
+        for (MeetingScene.MeetingAnswer each : model.scene().answers()) {
             Verdict.Kind recorded = hazard.recorded().get(each.method());
             String said = hazard.name() + ", " + each;
             assertEquals(recorded == Verdict.Kind.REFUSED, each.refused(), said);
@@ -78,8 +78,9 @@ class MeetingLabModelTest {
     void draggedPointGoesWhereTheMouseIsAndIsOneChangeForUndo() {
         MeetingChoice before = model.choice();
         model.beginDrag();
-        for (double y = 0.1; y < 0.8; y += 0.1) model.move(MeetingLabModel.Grip.THROUGH, 0.7, y);
-        model.move(MeetingLabModel.Grip.THROUGH, -0.3, 0.5);
+        for (double y = 0.1; y < 0.8; y += 0.1)
+            model.move(MeetingLabModel.MeetingGrip.THROUGH, 0.7, y);
+        model.move(MeetingLabModel.MeetingGrip.THROUGH, -0.3, 0.5);
         model.endDrag();
         StagePoint at = model.view().spot(model.choice().line().through());
         assertEquals(-0.3, at.x(), 1e-12);
@@ -93,7 +94,7 @@ class MeetingLabModelTest {
     void pointIsNotDraggedOntoTheOther() {
         MeetingChoice before = model.choice();
         StagePoint from = model.view().spot(before.line().from());
-        model.move(MeetingLabModel.Grip.THROUGH, from.x(), from.y());
+        model.move(MeetingLabModel.MeetingGrip.THROUGH, from.x(), from.y());
         assertEquals(before, model.choice());
     }
 

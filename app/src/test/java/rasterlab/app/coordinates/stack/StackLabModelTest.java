@@ -21,7 +21,7 @@ class StackLabModelTest {
     void overflowIsTold() {
         model.show(StackProgram.OVERFLOW);
         assertEquals(2, depth(MatrixMode.PROJECTION));
-        assertEquals(StackScene.Kind.OVERFLOW, model.scene().errors().get(4).kind());
+        assertEquals(StackScene.StackErrorKind.OVERFLOW, model.scene().errors().get(4).kind());
         model.goTo(4);
         assertTrue(model.scene().errors().isEmpty());
     }
@@ -31,7 +31,7 @@ class StackLabModelTest {
     void underflowIsTold() {
         model.show(StackProgram.UNDERFLOW);
         assertEquals(1, depth(MatrixMode.MODELVIEW));
-        assertEquals(StackScene.Kind.UNDERFLOW, model.scene().errors().get(5).kind());
+        assertEquals(StackScene.StackErrorKind.UNDERFLOW, model.scene().errors().get(5).kind());
         assertEquals(2, model.scene().cubes().size());
     }
 
@@ -42,7 +42,7 @@ class StackLabModelTest {
             model.show(program);
             assertTrue(
                     model.scene().errors().values().stream()
-                            .allMatch(error -> error.kind() == StackScene.Kind.VALUE));
+                            .allMatch(error -> error.kind() == StackScene.StackErrorKind.VALUE));
             assertEquals(1, model.scene().errors().size(), program.name());
             for (MatrixMode mode : MatrixMode.values())
                 assertEquals(

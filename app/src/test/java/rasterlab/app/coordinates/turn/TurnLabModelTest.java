@@ -74,8 +74,8 @@ class TurnLabModelTest {
     @DisplayName("float does not drift faster than double")
     void errorsGrowWithTheTurns() {
         model.turnBy(33.3);
-        List<TurnScene.Sample> single = drift("float").samples();
-        List<TurnScene.Sample> wide = drift("direct").samples();
+        List<TurnScene.DriftSample> single = drift("float").samples();
+        List<TurnScene.DriftSample> wide = drift("direct").samples();
         int last = single.size() - 1;
         assertEquals(TurnScene.CHARTED, single.get(last).times());
         assertTrue(single.get(last).error() > 1e4 * single.get(0).error());
@@ -88,7 +88,7 @@ class TurnLabModelTest {
         for (var method : model.methods()) {
             model.chooseMethod(method.name());
             TurnScene scene = settled();
-            TurnScene.Step end = scene.steps().get(scene.steps().size() - 1);
+            TurnScene.TurnStep end = scene.steps().get(scene.steps().size() - 1);
             assertEquals(scene.drift().end().x(), end.at().x(), 1e-12, method.name());
             assertEquals(7, end.turn(), method.name());
         }

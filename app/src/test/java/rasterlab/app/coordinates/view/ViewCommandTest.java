@@ -26,18 +26,18 @@ class ViewCommandTest {
     @Test
     void commandHasNullWhereThereIsNoImage() throws IOException {
         model.show(ViewSituation.AT_THE_EYE);
-        assertSame(ViewStage.Space.PICTURE.ordinal());
+        assertSame(ViewStage.CoordinateSpace.PICTURE.ordinal());
     }
 
     @Test
     void commandNamesTheMethod() throws IOException {
         model.chooseMethod("float");
-        assertSame(ViewStage.Space.SCREEN.ordinal());
+        assertSame(ViewStage.CoordinateSpace.SCREEN.ordinal());
     }
 
     private void assertSame(int stage) throws IOException {
         JsonNode answer = Answered.by(ViewCommand.of(model.scene(), stage));
-        ViewScene.Image image = model.scene().image(stage).orElseThrow();
+        ViewScene.StagePoints image = model.scene().image(stage).orElseThrow();
         for (int vertex = 0; vertex < 10; vertex++) {
             JsonNode point = answer.path("points").path(vertex);
             assertEquals(image.h().get(vertex), answer.path("h").path(vertex).asDouble());

@@ -131,7 +131,7 @@ class ViewLabModelTest {
         model.change(model.choice().withVanishing(true));
         long crosses =
                 ViewFigure.of(model.scene(), PICTURE).marks().stream()
-                        .filter(mark -> mark instanceof Mark.Cross)
+                        .filter(mark -> mark instanceof Mark.CrossMark)
                         .count();
         assertEquals(points, crosses);
     }

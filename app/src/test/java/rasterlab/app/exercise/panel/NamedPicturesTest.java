@@ -23,7 +23,7 @@ class NamedPicturesTest {
     private static Optional<NamedPictures> placed(
             int across, int down, Font type, int width, int height) {
         var g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
-        return new NamedPictures.Wanted(
+        return new NamedPictures.PicturesToPlace(
                         NAMES, new Dimension(across, down), type, g::getFontMetrics, 10)
                 .in(new Dimension(width, height));
     }
@@ -74,7 +74,7 @@ class NamedPicturesTest {
     void pixelsOfAPartAreSeen(int across, int down, int width, int height) {
         var g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
         var wanted =
-                new NamedPictures.Wanted(
+                new NamedPictures.PicturesToPlace(
                         NAMES, new Dimension(across, down), TYPE, g::getFontMetrics, 10);
         var room = new Dimension(width, height);
         Dimension part = wanted.part(3, room);
@@ -89,7 +89,7 @@ class NamedPicturesTest {
     void wholePicturesAreShownWhereTheyHaveRoom() {
         var g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
         var raster = new Dimension(10, 5);
-        var wanted = new NamedPictures.Wanted(NAMES, raster, TYPE, g::getFontMetrics, 10);
+        var wanted = new NamedPictures.PicturesToPlace(NAMES, raster, TYPE, g::getFontMetrics, 10);
         assertEquals(raster, wanted.part(3, new Dimension(280, 130)));
     }
 

@@ -25,7 +25,7 @@ class StatementTest {
         return new Statement(
                 markdown,
                 "en",
-                new Statement.Painter() {
+                new Statement.StatementPainter() {
                     @Override
                     public Image pixels(List<String> rows) {
                         drawn.add(rows);

@@ -108,7 +108,7 @@ class LitInputsTest {
     @Test
     void sunLightsNoFaceOfTheTopic() {
         useOneLamp();
-        model.choose(choice -> choice.withLamp(0, choice.lamp().withKind(Lamp.Kind.SUN)));
+        model.choose(choice -> choice.withLamp(0, choice.lamp().withKind(Lamp.LampKind.SUN)));
         assertEquals(Optional.empty(), LitInputs.face(drawn()));
     }
 

@@ -86,7 +86,7 @@ class FigureLabModelTest {
     }
 
     private static String said(FigureDrawing drawing) {
-        if (drawing.ending() != LineTrace.Ending.ENDED) return drawing.ending().name();
+        if (drawing.ending() != LineTrace.TraceEnding.ENDED) return drawing.ending().name();
         return RightFigure.is(drawing) ? "right" : "wrong";
     }
 
@@ -97,7 +97,7 @@ class FigureLabModelTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("tooLarge")
     void methodsAreNotJudgedOnAFigureThatIsTooLarge(
-            LineMode mode, ArcFigure figure, LineTrace.Ending ending) {
+            LineMode mode, ArcFigure figure, LineTrace.TraceEnding ending) {
         model.chooseMode(mode);
         model.compareWith("midpoint");
         model.arc(old -> figure);
@@ -116,7 +116,7 @@ class FigureLabModelTest {
                             readings.other()));
         }
         assertEquals(
-                ending == LineTrace.Ending.ENDED,
+                ending == LineTrace.TraceEnding.ENDED,
                 model.state().drawings().apart().isPresent(),
                 "two methods are compared where both ended");
     }
@@ -127,22 +127,22 @@ class FigureLabModelTest {
                         "a circle's last pixels are extra ones",
                         LineMode.CIRCLE,
                         new ArcFigure(true, 0, 0, 200_000, 200_000),
-                        LineTrace.Ending.ENDED),
+                        LineTrace.TraceEnding.ENDED),
                 argumentSet(
                         "an ellipse's last pixels are extra ones",
                         LineMode.ELLIPSE,
                         new ArcFigure(false, 0, 0, 400_000, 9),
-                        LineTrace.Ending.ENDED),
+                        LineTrace.TraceEnding.ENDED),
                 argumentSet(
                         "a circle that is cut has no end",
                         LineMode.CIRCLE,
                         new ArcFigure(true, 0, 0, 400_000, 400_000),
-                        LineTrace.Ending.CUT),
+                        LineTrace.TraceEnding.CUT),
                 argumentSet(
                         "the largest circle takes all memory",
                         LineMode.CIRCLE,
                         new ArcFigure(true, 0, 0, Integer.MAX_VALUE, Integer.MAX_VALUE),
-                        LineTrace.Ending.CUT));
+                        LineTrace.TraceEnding.CUT));
     }
 
     @Test

@@ -8,7 +8,7 @@ public final class RightFigure {
 
     /** Whether it is what the exact figure is. */
     public static boolean is(FigureDrawing drawing) {
-        return drawing.ending() == LineTrace.Ending.ENDED
+        return drawing.ending() == LineTrace.TraceEnding.ENDED
                 && drawing.judged()
                 && drawing.deviation().exact();
     }

@@ -3,21 +3,21 @@ package rasterlab.app.shell.labs;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.COLOR_CUT;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.CORNER_MOVED;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.FACES_ALL;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.FACES_FOUND;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.FACES_WITHOUT_AREA;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.FACE_NORMAL;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.LAMP_BESIDE;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.NORMALS_LENGTHENED;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.NORMAL_LENGTH;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.PAINTED_AS_GIVEN;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.PAINTED_IN_ORDER;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.PICTURE_SIZE;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.POINT_ASIDE;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.SCALED;
-import static rasterlab.app.canvas.method.ShownDifference.Kind.STRETCHED;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.COLOR_CUT;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.CORNER_MOVED;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.FACES_ALL;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.FACES_FOUND;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.FACES_WITHOUT_AREA;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.FACE_NORMAL;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.LAMP_BESIDE;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.NORMALS_LENGTHENED;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.NORMAL_LENGTH;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.PAINTED_AS_GIVEN;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.PAINTED_IN_ORDER;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.PICTURE_SIZE;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.POINT_ASIDE;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.SCALED;
+import static rasterlab.app.canvas.method.ShownDifference.ShownDifferenceKind.STRETCHED;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -67,7 +67,7 @@ import rasterlab.engine.study.Verdict;
 @Tag("slow")
 class LabOpeningTest {
     /** The hazards that a tab shows otherwise than they are, by some method, and in what. */
-    private static final Map<String, Set<ShownDifference.Kind>> UNLIKE =
+    private static final Map<String, Set<ShownDifference.ShownDifferenceKind>> UNLIKE =
             Map.ofEntries(
                     Map.entry("hidden-surfaces one-pixel", EnumSet.of(PICTURE_SIZE)),
                     Map.entry(
@@ -173,14 +173,16 @@ class LabOpeningTest {
 
     @Test
     void whatTabsShowOtherwiseThanItIsIsKnown() {
-        var found = new TreeMap<String, Set<ShownDifference.Kind>>();
+        var found = new TreeMap<String, Set<ShownDifference.ShownDifferenceKind>>();
         for (Topic<?, ?, ?> topic : Topics.all())
             for (Hazard<?> hazard : topic.hazards())
                 for (Method<?> method : topic.methods())
                     for (ShownDifference each : differences(topic, hazard, method))
                         found.computeIfAbsent(
                                         topic.name() + " " + hazard.name(),
-                                        name -> EnumSet.noneOf(ShownDifference.Kind.class))
+                                        name ->
+                                                EnumSet.noneOf(
+                                                        ShownDifference.ShownDifferenceKind.class))
                                 .add(each.kind());
         assertEquals(new TreeMap<>(UNLIKE), found);
     }
@@ -233,7 +235,11 @@ class LabOpeningTest {
         boolean said =
                 models.of(new LightRoom()).state().note().stream()
                         .flatMap(note -> note.differences().stream())
-                        .anyMatch(each -> each.kind() == ShownDifference.Kind.OTHER_METHOD);
+                        .anyMatch(
+                                each ->
+                                        each.kind()
+                                                == ShownDifference.ShownDifferenceKind
+                                                        .OTHER_METHOD);
         assertEquals(named, said);
     }
 

@@ -122,7 +122,7 @@ class SavedViewTest {
     }
 
     private static VisibilityChoice opened(Path file, VisibilityChoice before) {
-        SceneFiles.Answer answer = SceneFiles.read(file);
+        SceneFiles.SceneAnswer answer = SceneFiles.read(file);
         assertTrue(answer.problem().isEmpty(), answer.problem());
         UnaryOperator<VisibilityChoice> change = answer.change();
         return change.apply(before);

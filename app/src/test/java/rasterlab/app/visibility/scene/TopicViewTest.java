@@ -145,13 +145,13 @@ class TopicViewTest {
         Hazard<Body> hazard = named(new VisibleFacesTopic().hazards(), "inner-point-outside");
         TopicView refused = TopicView.of("it", hazard.input(), "convex-segment", "convex");
         assertEquals(6, refused.scene().mesh().faceCount());
-        assertEquals(List.of(ShownDifference.Kind.FACES_ALL), kinds(refused));
+        assertEquals(List.of(ShownDifference.ShownDifferenceKind.FACES_ALL), kinds(refused));
         TopicView found = TopicView.of("it", hazard.input(), "back-face", "convex");
         assertEquals(3, found.scene().mesh().faceCount());
-        assertEquals(List.of(ShownDifference.Kind.FACES_FOUND), kinds(found));
+        assertEquals(List.of(ShownDifference.ShownDifferenceKind.FACES_FOUND), kinds(found));
     }
 
-    private static List<ShownDifference.Kind> kinds(TopicView view) {
+    private static List<ShownDifference.ShownDifferenceKind> kinds(TopicView view) {
         return view.differences().stream().map(ShownDifference::kind).toList();
     }
 }

@@ -37,7 +37,7 @@ final class JobProcess {
         var words = new BenchWords(Language.valueOf(arguments[2]));
         var out = new PrintStream(System.out, false, StandardCharsets.UTF_8);
         Job job = PipelineJobs.all(quick).get(Integer.parseInt(arguments[0]));
-        if (job.openGl()) OffscreenContext.open(OffscreenContext.Profile.CORE);
+        if (job.openGl()) OffscreenContext.open(OffscreenContext.ContextProfile.CORE);
         out.println(job.row().get().line(words));
         out.flush();
     }

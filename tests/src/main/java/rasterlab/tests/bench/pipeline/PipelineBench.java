@@ -57,7 +57,7 @@ public final class PipelineBench {
     private String tellMachine() {
         String missing = "";
         String gl;
-        try (var context = OffscreenContext.open(OffscreenContext.Profile.CORE)) {
+        try (var context = OffscreenContext.open(OffscreenContext.ContextProfile.CORE)) {
             gl = "OpenGL: " + drawing();
         } catch (NoOpenGl e) {
             missing =

@@ -26,7 +26,7 @@ class OpenGlPictureTest {
     @BeforeAll
     static void open() {
         try {
-            context = OffscreenContext.open(OffscreenContext.Profile.CORE);
+            context = OffscreenContext.open(OffscreenContext.ContextProfile.CORE);
         } catch (NoOpenGl e) {
             missing = e.getMessage();
         }
