@@ -115,7 +115,7 @@ public record PlanReport(PlanTrial trial, PlanPath path, String costs, List<Comb
     }
 
     private static void writeCost(
-            JsonGenerator json, String name, double levels, Plan.Cost least, Plan.Cost full)
+            JsonGenerator json, String name, double levels, Plan.PlanCost least, Plan.PlanCost full)
             throws IOException {
         json.writeObjectFieldStart(name);
         json.writeNumberField("levels", levels);
@@ -126,7 +126,7 @@ public record PlanReport(PlanTrial trial, PlanPath path, String costs, List<Comb
         json.writeEndObject();
     }
 
-    private static void writeWork(JsonGenerator json, String name, Plan.Cost cost)
+    private static void writeWork(JsonGenerator json, String name, Plan.PlanCost cost)
             throws IOException {
         json.writeObjectFieldStart(name);
         for (Map.Entry<String, Long> stage : cost.work().stages().entrySet())

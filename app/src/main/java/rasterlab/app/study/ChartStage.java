@@ -55,7 +55,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     private record Asked(
             Study study, String level, int width, int height, double dots, StageColors colors) {}
 
-    private record Painted(Asked asked, BufferedImage image, List<FrontChart.Spot> spots) {}
+    private record Painted(Asked asked, BufferedImage image, List<FrontChart.PaintedPoint> spots) {}
 
     private final transient StudyLabModel model;
     private final transient Texts texts;
@@ -114,18 +114,19 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                                 (double) y * chart.asked().height() / getHeight()));
     }
 
-    private static Optional<Measurement> nearest(List<FrontChart.Spot> spots, double x, double y) {
+    private static Optional<Measurement> nearest(
+            List<FrontChart.PaintedPoint> spots, double x, double y) {
         return spots.stream()
                 .filter(spot -> Math.hypot(spot.x() - x, spot.y() - y) <= NEAR)
                 .min(Comparator.comparingDouble(spot -> Math.hypot(spot.x() - x, spot.y() - y)))
-                .map(FrontChart.Spot::point);
+                .map(FrontChart.PaintedPoint::point);
     }
 
     /** Goes to the next dearer or cheaper point. */
     private void walk(int steps) {
         List<Measurement> points =
                 painted.map(Painted::spots).orElse(List.of()).stream()
-                        .map(FrontChart.Spot::point)
+                        .map(FrontChart.PaintedPoint::point)
                         .sorted(Comparator.comparingDouble(p -> p.cost().medianNanos()))
                         .toList();
         if (points.isEmpty()) return;
@@ -243,7 +244,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         inChart.setColor(StageColors.now().ink());
         inChart.setStroke(new BasicStroke(2));
         Optional<String> marked = model.state().point().map(Measurement::method);
-        for (FrontChart.Spot spot : chart.spots())
+        for (FrontChart.PaintedPoint spot : chart.spots())
             if (marked.filter(spot.point().method()::equals).isPresent())
                 inChart.draw(new Ellipse2D.Double(spot.x() - 10, spot.y() - 10, 20, 20));
         inChart.dispose();

@@ -62,7 +62,7 @@ class WorkBillTest {
     @DisplayName("shares leave out a stage, or the plan is of another size")
     void sharesAreOfAllThatIsTold() {
         RenderRequest request = shown("zfloat");
-        double shares = bill().rows().stream().mapToDouble(PictureBill.Row::share).sum();
+        double shares = bill().rows().stream().mapToDouble(PictureBill.BillRow::share).sum();
         assertEquals(1, shares, 1e-9);
         assertEquals(request.width(), bill().plan().least().width());
         assertEquals(request.camera(), bill().plan().full().camera());

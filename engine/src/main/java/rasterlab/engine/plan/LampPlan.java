@@ -36,7 +36,7 @@ final class LampPlan {
      *
      * @param levels that they may change
      */
-    record Result(Scene scene, double levels) {}
+    record FewerLamps(Scene scene, double levels) {}
 
     private record Faint(Light light, double levels) {}
 
@@ -60,9 +60,9 @@ final class LampPlan {
      * @param tolerance levels that the whole plan may change
      * @param decisions gets what was decided
      */
-    static Result of(Scene scene, double tolerance, List<PlanDecision> decisions) {
+    static FewerLamps of(Scene scene, double tolerance, List<PlanDecision> decisions) {
         List<Light> lights = scene.light().model().lights();
-        if (lights.isEmpty() || scene.mesh().hasColors()) return new Result(scene, 0);
+        if (lights.isEmpty() || scene.mesh().hasColors()) return new FewerLamps(scene, 0);
         var plan = new LampPlan(scene);
         List<Faint> faint =
                 lights.stream()
@@ -77,7 +77,7 @@ final class LampPlan {
             sum = next;
             kept.remove(each.light);
         }
-        if (kept.size() == lights.size()) return new Result(scene, 0);
+        if (kept.size() == lights.size()) return new FewerLamps(scene, 0);
         int left = lights.size() - kept.size();
         double bound = sum > 0 ? sum + ROOM : 0;
         decisions.add(
@@ -93,7 +93,7 @@ final class LampPlan {
                                 sum),
                         bound,
                         0));
-        return new Result(plan.with(kept), bound);
+        return new FewerLamps(plan.with(kept), bound);
     }
 
     /** The most that a lamp adds to a channel anywhere, in levels. */

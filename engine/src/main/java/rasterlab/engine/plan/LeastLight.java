@@ -25,7 +25,7 @@ record LeastLight(double allowed, Scene scene, double levels, List<PlanDecision>
 
     static LeastLight of(Scene scene, double allowed) {
         List<PlanDecision> decisions = new ArrayList<>();
-        LampPlan.Result lamps = LampPlan.of(scene, allowed, decisions);
+        LampPlan.FewerLamps lamps = LampPlan.of(scene, allowed, decisions);
         Scene rest = withoutDarkTerms(lamps.scene(), decisions);
         return new LeastLight(allowed, rest, lamps.levels(), decisions);
     }

@@ -23,8 +23,8 @@ public record Plan(
         Tolerance tolerance,
         List<PlanDecision> decisions,
         CameraRange range,
-        Cost fullCost,
-        Cost cost,
+        PlanCost fullCost,
+        PlanCost cost,
         double decidingMilliseconds) {
     public Plan {
         decisions = List.copyOf(decisions);
@@ -36,7 +36,7 @@ public record Plan(
      * @param work estimated
      * @param milliseconds predicted from the work
      */
-    public record Cost(PictureWork work, double milliseconds) {}
+    public record PlanCost(PictureWork work, double milliseconds) {}
 
     /** Whether the plan may be kept for a camera. */
     public boolean within(SphericalView camera) {

@@ -99,10 +99,11 @@ public final class Planner {
         List<PlanDecision> decisions = new ArrayList<>(light.decisions());
         ViewedMesh view = whole.seen().viewed();
         KnownScene lit = known(light.scene());
-        Optional<ShapePlan.Result> parts =
+        Optional<ShapePlan.PlannedShapes> parts =
                 new ShapePlan(lit, view.transform(), view.fit(), tolerance).plan();
         parts.ifPresent(result -> decisions.addAll(result.decisions()));
-        RenderRequest request = full.with(parts.map(ShapePlan.Result::scene).orElse(light.scene()));
+        RenderRequest request =
+                full.with(parts.map(ShapePlan.PlannedShapes::scene).orElse(light.scene()));
         KnownScene known = known(request.scene());
         Optional<DepthReach> reach = reach(request, view, known.facts());
         ShownFaces shown = ShownFaces.of(request, known, fronts(request, reach, known.facts()));
@@ -118,11 +119,12 @@ public final class Planner {
                         .withShading(shading.planned(sight))
                         .withTexture(texturing.mode())
                         .withSavings(new Savings(shading.levels(), sight.frontsOnly()));
-        Plan.Cost all = fullCost(full, whole.areas());
+        Plan.PlanCost all = fullCost(full, whole.areas());
         if (sight.milliseconds() > WORTH * all.milliseconds())
             return whole(full, tolerance, kept(decisions, full, sight, all), all, start);
         boolean here = sight.fromHere() || texturing.fromHere();
-        boolean near = !shading.around() || parts.map(ShapePlan.Result::narrow).orElse(false);
+        boolean near =
+                !shading.around() || parts.map(ShapePlan.PlannedShapes::narrow).orElse(false);
         return new Plan(
                 full,
                 request.with(look),
@@ -130,7 +132,7 @@ public final class Planner {
                 decisions,
                 range(full.camera(), here, near),
                 all,
-                new Plan.Cost(sight.work(), sight.milliseconds()),
+                new Plan.PlanCost(sight.work(), sight.milliseconds()),
                 (System.nanoTime() - start) / 1e6);
     }
 
@@ -179,7 +181,7 @@ public final class Planner {
             RenderRequest full,
             Tolerance tolerance,
             List<PlanDecision> decisions,
-            Plan.Cost cost,
+            Plan.PlanCost cost,
             long start) {
         return new Plan(
                 full,
@@ -197,7 +199,7 @@ public final class Planner {
             List<PlanDecision> decisions,
             RenderRequest full,
             ChosenVisibility sight,
-            Plan.Cost all) {
+            Plan.PlanCost all) {
         List<PlanDecision> kept = new ArrayList<>();
         for (PlanDecision decision : decisions)
             if (!decision.saves() && !decision.subject().equals("visibility")) kept.add(decision);
@@ -216,7 +218,7 @@ public final class Planner {
     }
 
     /** The levels that coarser faces may change; parts are beside each other. */
-    private static double ofFaces(Optional<ShapePlan.Result> parts) {
+    private static double ofFaces(Optional<ShapePlan.PlannedShapes> parts) {
         return parts.stream()
                 .flatMap(result -> result.decisions().stream())
                 .mapToDouble(PlanDecision::levels)
@@ -252,14 +254,14 @@ public final class Planner {
         return sight;
     }
 
-    private Plan.Cost fullCost(RenderRequest full, ScreenAreas areas) {
+    private Plan.PlanCost fullCost(RenderRequest full, ScreenAreas areas) {
         int reads = full.look().texture() == TextureMode.NONE ? 0 : 8;
         var all = new boolean[areas.faces()];
         Arrays.fill(all, true);
         var light = new LightWork(false, all, reads, false);
         PictureWork work = light.estimate(areas, false, false, 0);
         Family family = Family.of(full.visibility());
-        return new Plan.Cost(
+        return new Plan.PlanCost(
                 work, costs.milliseconds(family, work, family == Family.PIPELINE ? cores : 1));
     }
 

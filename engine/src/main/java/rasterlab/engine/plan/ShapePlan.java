@@ -39,7 +39,7 @@ final class ShapePlan {
      *
      * @param narrow whether it holds near the camera only, since parts are out of sight
      */
-    record Result(Scene scene, List<PlanDecision> decisions, boolean narrow) {}
+    record PlannedShapes(Scene scene, List<PlanDecision> decisions, boolean narrow) {}
 
     ShapePlan(KnownScene known, ViewTransform transform, PictureFit fit, Tolerance tolerance) {
         this.known = known;
@@ -50,7 +50,7 @@ final class ShapePlan {
     }
 
     /** Leaves out what it can; empty where that is nothing. */
-    Optional<Result> plan() {
+    Optional<PlannedShapes> plan() {
         List<PlanDecision> decisions = new ArrayList<>();
         List<Integer> steps = new ArrayList<>();
         boolean changed = false;
@@ -78,7 +78,7 @@ final class ShapePlan {
         }
         if (!changed || !any) return Optional.empty();
         Scene scene = known.coarser(steps, () -> made(steps));
-        return Optional.of(new Result(scene, decisions, narrow));
+        return Optional.of(new PlannedShapes(scene, decisions, narrow));
     }
 
     /**

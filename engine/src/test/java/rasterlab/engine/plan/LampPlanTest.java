@@ -36,7 +36,7 @@ class LampPlanTest {
     void lampsThatAddLittleAreLeftOut(int lamps, double each, double levels, int out) {
         Scene scene = lit(lamps, each);
         List<PlanDecision> decisions = new ArrayList<>();
-        LampPlan.Result result = LampPlan.of(scene, levels, decisions);
+        LampPlan.FewerLamps result = LampPlan.of(scene, levels, decisions);
         assertEquals(lamps + 1 - out, result.scene().light().model().lights().size());
         assertEquals(out > 0 ? 1 : 0, decisions.size());
         assertTrue(result.levels() <= levels, result.levels() + " of " + levels);

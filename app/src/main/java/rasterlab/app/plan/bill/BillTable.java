@@ -32,7 +32,7 @@ public final class BillTable extends JTable {
 
     private final transient Texts texts;
     private transient Optional<PictureBill> bill = Optional.empty();
-    private transient List<PictureBill.Row> rows = List.of();
+    private transient List<PictureBill.BillRow> rows = List.of();
 
     public BillTable(Language language) {
         texts = Texts.of("plan", language);
@@ -76,7 +76,7 @@ public final class BillTable extends JTable {
         return row < rows.size() ? text(rows.get(row), column) : total(column);
     }
 
-    private String text(PictureBill.Row row, int column) {
+    private String text(PictureBill.BillRow row, int column) {
         return switch (column) {
             case 0 -> texts.text("stage." + row.stage());
             case 1 -> brief(row.counted());

@@ -41,14 +41,14 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
      * @param predicted milliseconds of processor time by the prices of the count
      * @param planned how often in the least picture
      */
-    public record Row(
+    public record BillRow(
             String stage,
             Optional<Long> counted,
             Optional<Double> measured,
             double share,
             double predicted,
             Optional<Long> planned) {
-        public Row {
+        public BillRow {
             Bounds.require("share", share, 0, 1);
         }
 
@@ -95,15 +95,15 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
     }
 
     /** The stages that anything happens in, in the order in which a picture is made. */
-    public List<Row> rows() {
+    public List<BillRow> rows() {
         Map<String, Long> here = counted.work().stages();
         Map<String, Long> least = plan.cost().work().stages();
-        var rows = new ArrayList<Row>();
+        var rows = new ArrayList<BillRow>();
         counted.milliseconds()
                 .forEach(
                         (stage, predicted) ->
                                 rows.add(
-                                        new Row(
+                                        new BillRow(
                                                 stage,
                                                 Optional.ofNullable(here.get(stage)),
                                                 Optional.ofNullable(
@@ -111,7 +111,7 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
                                                 times.share(stage),
                                                 predicted,
                                                 Optional.ofNullable(least.get(stage)))));
-        rows.removeIf(Row::isEmpty);
+        rows.removeIf(BillRow::isEmpty);
         return rows;
     }
 }

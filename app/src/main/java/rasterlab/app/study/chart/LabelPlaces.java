@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import rasterlab.app.study.chart.LabelSpots.Spot;
+import rasterlab.app.study.chart.LabelSpots.LabelSpot;
 
 /**
  * Where labels of points stand in a chart: close to their points, or further off with a leader.
@@ -21,7 +21,7 @@ final class LabelPlaces {
     /** The gap between two labels in a row, in pixels, so that they are not read as one. */
     static final int GAP = 8;
 
-    /** The cost of two leaders that cross, as of {@link Spot}. */
+    /** The cost of two leaders that cross, as of {@link LabelSpot}. */
     private static final double CROSSED = 120;
 
     /** Another label is sent away only for a gain of more. */
@@ -30,21 +30,21 @@ final class LabelPlaces {
     /** Charts are done after a few; of more, the places get hardly better. */
     private static final int ROUNDS = 8;
 
-    private final List<List<Spot>> spots;
-    private final Spot[] taken;
+    private final List<List<LabelSpot>> spots;
+    private final LabelSpot[] taken;
 
     /** A label and the point to which it belongs. */
-    record Label(Point point, Dimension size) {}
+    record PointLabel(Point point, Dimension size) {}
 
     /**
      * @param box of the label
      * @param leader from the point's marker to the box; empty where the label is close to it
      */
-    record Place(Rectangle box, Optional<Line2D> leader) {}
+    record LabelPlace(Rectangle box, Optional<Line2D> leader) {}
 
-    private LabelPlaces(LabelSpots around, List<Label> labels) {
+    private LabelPlaces(LabelSpots around, List<PointLabel> labels) {
         spots = labels.stream().map(around::around).toList();
-        taken = new Spot[labels.size()];
+        taken = new LabelSpot[labels.size()];
         Arrays.fill(taken, LabelSpots.NOWHERE);
     }
 
@@ -56,11 +56,11 @@ final class LabelPlaces {
      * @param points at which markers are drawn
      * @param lines between points
      */
-    static List<Optional<Place>> of(
-            Rectangle inside, List<Point> points, List<Line2D> lines, List<Label> labels) {
+    static List<Optional<LabelPlace>> of(
+            Rectangle inside, List<Point> points, List<Line2D> lines, List<PointLabel> labels) {
         var places = new LabelPlaces(new LabelSpots(inside, points, lines), labels);
         places.search();
-        return Arrays.stream(places.taken).map(Spot::place).toList();
+        return Arrays.stream(places.taken).map(LabelSpot::place).toList();
     }
 
     private void search() {
@@ -74,10 +74,10 @@ final class LabelPlaces {
     }
 
     /** The label's best spot beside the others. */
-    private Spot best(int label) {
-        Spot best = LabelSpots.NOWHERE;
+    private LabelSpot best(int label) {
+        LabelSpot best = LabelSpots.NOWHERE;
         double least = best.cost();
-        for (Spot spot : spots.get(label)) {
+        for (LabelSpot spot : spots.get(label)) {
             if (spot.cost() >= least) break;
             double cost = cost(label, spot);
             if (cost >= least) continue;
@@ -88,7 +88,7 @@ final class LabelPlaces {
     }
 
     /** The cost of the label there, beside the others. */
-    private double cost(int label, Spot spot) {
+    private double cost(int label, LabelSpot spot) {
         double cost = spot.cost();
         for (int other = 0; other < taken.length; other++)
             if (other != label) cost += conflict(spot, taken[other]);
@@ -97,7 +97,7 @@ final class LabelPlaces {
 
     private boolean moves(int label) {
         double now = cost(label, taken[label]);
-        Spot best = best(label);
+        LabelSpot best = best(label);
         if (cost(label, best) >= now) return false;
         taken[label] = best;
         return true;
@@ -105,7 +105,7 @@ final class LabelPlaces {
 
     private boolean sendsAnotherAway(int label) {
         double now = cost(label, taken[label]);
-        for (Spot spot : spots.get(label)) {
+        for (LabelSpot spot : spots.get(label)) {
             if (spot.cost() + GAIN >= now) return false;
             List<Integer> inTheWay = inTheWay(label, spot);
             if (inTheWay.size() == 1 && sendsAway(label, spot, inTheWay.get(0))) return true;
@@ -113,7 +113,7 @@ final class LabelPlaces {
         return false;
     }
 
-    private List<Integer> inTheWay(int label, Spot spot) {
+    private List<Integer> inTheWay(int label, LabelSpot spot) {
         return IntStream.range(0, taken.length)
                 .filter(other -> other != label)
                 .filter(other -> Double.isInfinite(conflict(spot, taken[other])))
@@ -122,9 +122,9 @@ final class LabelPlaces {
                 .toList();
     }
 
-    private boolean sendsAway(int label, Spot spot, int other) {
-        Spot labelBefore = taken[label];
-        Spot otherBefore = taken[other];
+    private boolean sendsAway(int label, LabelSpot spot, int other) {
+        LabelSpot labelBefore = taken[label];
+        LabelSpot otherBefore = taken[other];
         double before = cost(label, labelBefore) + cost(other, otherBefore);
         taken[label] = spot;
         taken[other] = best(other);
@@ -135,10 +135,10 @@ final class LabelPlaces {
     }
 
     /** The cost of two spots beside each other; infinite where only one can be taken. */
-    private static double conflict(Spot one, Spot two) {
+    private static double conflict(LabelSpot one, LabelSpot two) {
         if (!one.reach().intersects(two.reach())) return 0;
-        Place here = one.place().get();
-        Place there = two.place().get();
+        LabelPlace here = one.place().get();
+        LabelPlace there = two.place().get();
         if (LabelSpots.grown(here.box(), GAP, 1).intersects(there.box())
                 || crosses(here, there)
                 || crosses(there, here)) return Double.POSITIVE_INFINITY;
@@ -150,7 +150,7 @@ final class LabelPlaces {
     }
 
     /** Whether the leader of one runs through the other's box. */
-    private static boolean crosses(Place one, Place other) {
+    private static boolean crosses(LabelPlace one, LabelPlace other) {
         return one.leader()
                 .filter(leader -> leader.intersects(LabelSpots.grown(other.box(), 2, 1)))
                 .isPresent();

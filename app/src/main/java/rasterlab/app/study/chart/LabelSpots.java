@@ -64,7 +64,7 @@ final class LabelSpots {
     private static final double LEFT_OUT = 3000;
 
     /** The spot of a label that is left out. */
-    static final Spot NOWHERE = new Spot(Optional.empty(), LEFT_OUT, new Rectangle());
+    static final LabelSpot NOWHERE = new LabelSpot(Optional.empty(), LEFT_OUT, new Rectangle());
 
     private final Rectangle inside;
     private final List<Point> points;
@@ -75,11 +75,11 @@ final class LabelSpots {
      * @param cost what speaks against it, in pixels of a leader that are as bad
      * @param reach around label and leader; those of two spots that do not touch are apart
      */
-    record Spot(Optional<LabelPlaces.Place> place, double cost, Rectangle reach) {
-        private static Spot at(LabelPlaces.Place place, double cost) {
+    record LabelSpot(Optional<LabelPlaces.LabelPlace> place, double cost, Rectangle reach) {
+        private static LabelSpot at(LabelPlaces.LabelPlace place, double cost) {
             Rectangle reach = grown(place.box(), LabelPlaces.GAP, 1);
             place.leader().ifPresent(leader -> reach.add(leader.getBounds()));
-            return new Spot(Optional.of(place), cost, reach);
+            return new LabelSpot(Optional.of(place), cost, reach);
         }
     }
 
@@ -96,8 +96,8 @@ final class LabelSpots {
     }
 
     /** The label's spots, the best first and {@link #NOWHERE} last. */
-    List<Spot> around(LabelPlaces.Label label) {
-        var spots = new ArrayList<Spot>();
+    List<LabelSpot> around(LabelPlaces.PointLabel label) {
+        var spots = new ArrayList<LabelSpot>();
         for (int distance : CLOSE)
             for (int number = 0; number < DIRECTIONS; number++) {
                 Rectangle box = box(label, distance, inTurn(number));
@@ -109,24 +109,24 @@ final class LabelSpots {
                 Rectangle box = box(label, distance, inTurn(number));
                 if (isFree(box)) spots.add(far(label, box, distance + NOT_AT_ONCE * number));
             }
-        spots.sort(Comparator.comparingDouble(Spot::cost));
+        spots.sort(Comparator.comparingDouble(LabelSpot::cost));
         spots.add(NOWHERE);
         return spots;
     }
 
-    private Spot close(LabelPlaces.Label label, Rectangle box, double away) {
+    private LabelSpot close(LabelPlaces.PointLabel label, Rectangle box, double away) {
         double cost = isLevelWithOther(label.point(), box) ? LEVEL_WITH_OTHER + away : away;
-        return Spot.at(new LabelPlaces.Place(box, Optional.empty()), cost);
+        return LabelSpot.at(new LabelPlaces.LabelPlace(box, Optional.empty()), cost);
     }
 
-    private Spot far(LabelPlaces.Label label, Rectangle box, double away) {
+    private LabelSpot far(LabelPlaces.PointLabel label, Rectangle box, double away) {
         Line2D leader = leader(label.point(), box);
         double cost = HAS_LEADER + away;
         if (isOnLine(box)) cost += ON_LINE;
         if (isBesideOther(label.point(), box)) cost += BESIDE_OTHER;
         cost += CROSSES_LINE * lines.stream().filter(leader::intersectsLine).count();
         cost += markersCrossed(label.point(), leader);
-        return Spot.at(new LabelPlaces.Place(box, Optional.of(leader)), cost);
+        return LabelSpot.at(new LabelPlaces.LabelPlace(box, Optional.of(leader)), cost);
     }
 
     private static Rectangle marker(Point point) {
@@ -192,7 +192,7 @@ final class LabelSpots {
     }
 
     /** The box around a point, so far from its marker. */
-    private static Rectangle box(LabelPlaces.Label label, int distance, int turn) {
+    private static Rectangle box(LabelPlaces.PointLabel label, int distance, int turn) {
         Point point = label.point();
         Dimension size = label.size();
         double angle = 2 * Math.PI * turn / DIRECTIONS;

@@ -28,11 +28,11 @@ final class SizeLabels extends Annotation {
      * @param cost on the chart's axis to the right
      * @param position on its axis upwards
      */
-    record Point(double cost, double position) {}
+    record SizePoint(double cost, double position) {}
 
-    private record Label(String text, Point at, Color color) {}
+    private record Label(String text, SizePoint at, Color color) {}
 
-    private final List<List<Point>> lines = new ArrayList<>();
+    private final List<List<SizePoint>> lines = new ArrayList<>();
     private final List<Double> edges = new ArrayList<>();
     private final List<Label> labels = new ArrayList<>();
 
@@ -47,7 +47,7 @@ final class SizeLabels extends Annotation {
     }
 
     /** Adds a line through marked points, which no label may hide. */
-    void avoid(List<Point> line) {
+    void avoid(List<SizePoint> line) {
         lines.add(List.copyOf(line));
     }
 
@@ -56,7 +56,7 @@ final class SizeLabels extends Annotation {
         edges.add(position);
     }
 
-    void add(String size, Point at, Color color) {
+    void add(String size, SizePoint at, Color color) {
         labels.add(new Label(size, at, color));
     }
 
@@ -64,7 +64,7 @@ final class SizeLabels extends Annotation {
     public void paint(Graphics2D graphics) {
         graphics.setFont(FONT);
         FontMetrics metrics = graphics.getFontMetrics();
-        List<Optional<LabelPlaces.Place>> places =
+        List<Optional<LabelPlaces.LabelPlace>> places =
                 LabelPlaces.of(
                         inside(),
                         markers(),
@@ -76,8 +76,8 @@ final class SizeLabels extends Annotation {
         }
     }
 
-    private LabelPlaces.Label measured(Label label, FontMetrics metrics) {
-        return new LabelPlaces.Label(
+    private LabelPlaces.PointLabel measured(Label label, FontMetrics metrics) {
+        return new LabelPlaces.PointLabel(
                 seen(label.at()),
                 new Dimension(metrics.stringWidth(label.text()), metrics.getAscent()));
     }
@@ -94,7 +94,7 @@ final class SizeLabels extends Annotation {
             int y = getYAxisScreenValue(edge);
             drawn.add(new Line2D.Double(all.getMinX(), y, all.getMaxX(), y));
         }
-        for (List<Point> line : lines)
+        for (List<SizePoint> line : lines)
             for (int i = 1; i < line.size(); i++)
                 drawn.add(new Line2D.Double(seen(line.get(i - 1)), seen(line.get(i))));
         return drawn;
@@ -108,7 +108,7 @@ final class SizeLabels extends Annotation {
         return new Rectangle(left, top, right - left, bottom - top);
     }
 
-    private void draw(Graphics2D graphics, Label label, LabelPlaces.Place place) {
+    private void draw(Graphics2D graphics, Label label, LabelPlaces.LabelPlace place) {
         Color ink = MethodColors.textOn(ground, label.color());
         graphics.setColor(MethodColors.edgeOn(ground, MethodColors.mix(ground, ink, LEADER)));
         graphics.setStroke(new BasicStroke(1));
@@ -118,7 +118,7 @@ final class SizeLabels extends Annotation {
         graphics.drawString(label.text(), box.x, box.y + box.height - 2);
     }
 
-    private java.awt.Point seen(Point point) {
+    private java.awt.Point seen(SizePoint point) {
         return new java.awt.Point(
                 getXAxisScreenValue(point.cost()), getYAxisScreenValue(point.position()));
     }

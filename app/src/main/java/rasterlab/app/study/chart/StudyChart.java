@@ -151,9 +151,9 @@ public final class StudyChart {
             List<Measurement> points,
             ErrorAxis axis,
             Function<Measurement, String> said) {
-        List<SizeLabels.Point> line =
+        List<SizeLabels.SizePoint> line =
                 points.stream()
-                        .map(point -> new SizeLabels.Point(cost(point), axis.position(point)))
+                        .map(point -> new SizeLabels.SizePoint(cost(point), axis.position(point)))
                         .toList();
         sizes.avoid(line);
         sizes.add(said.apply(points.get(0)), line.get(0), look.color());

@@ -112,7 +112,7 @@ public final class ErrorByInputChart implements StudyPicture {
                     above.get(i),
                     plot.getMinY() + (failed - plot.getMinY()) * (i + 0.5) / above.size());
         strips(graphics, across, plot);
-        var labels = new ArrayList<LeaderColumn.Label>();
+        var labels = new ArrayList<LeaderColumn.LeaderLabel>();
         for (String method : methods())
             labels.add(
                     lines.draw(

@@ -44,10 +44,10 @@ public final class FrontChart implements StudyPicture {
     private final ParetoFront front;
     private final double bound;
     private final Map<String, MethodLook> looks;
-    private final List<Spot> spots = new ArrayList<>();
+    private final List<PaintedPoint> spots = new ArrayList<>();
 
     /** Where a point stands, in the chart's units, once it is painted. */
-    public record Spot(Measurement point, double x, double y) {}
+    public record PaintedPoint(Measurement point, double x, double y) {}
 
     /** The front of the workload that tells most. */
     public FrontChart(Study study, StudyWords words, ChartLook paper) {
@@ -72,7 +72,7 @@ public final class FrontChart implements StudyPicture {
     }
 
     /** The points, once the chart is painted. */
-    public List<Spot> spots() {
+    public List<PaintedPoint> spots() {
         return List.copyOf(spots);
     }
 
@@ -123,14 +123,14 @@ public final class FrontChart implements StudyPicture {
         for (Measurement point : points) {
             double error = ParetoFront.error(point);
             double y = error == 0 ? row : Double.isFinite(error) ? up.at(error) : top - ROW / 2.0;
-            spots.add(new Spot(point, across.at(point.cost().medianNanos()), y));
+            spots.add(new PaintedPoint(point, across.at(point.cost().medianNanos()), y));
         }
         staircase(graphics, plot);
-        for (Spot spot : spots) bars(graphics, spot, across, up, border, errors.isEmpty());
+        for (PaintedPoint spot : spots) bars(graphics, spot, across, up, border, errors.isEmpty());
         new LeaderColumn(labels(), plot.getMaxX() + 24, plot.getMinY(), plot.getMaxY())
                 .paint(graphics, MARK / 2.0 + 2);
         for (boolean beaten : new boolean[] {true, false})
-            for (Spot spot : spots)
+            for (PaintedPoint spot : spots)
                 if (front.isBeaten(spot.point().method()) == beaten)
                     looks.get(spot.point().method())
                             .marker()
@@ -162,14 +162,14 @@ public final class FrontChart implements StudyPicture {
 
     /** Draws the steps from the quickest corner down to the most accurate one and to the right. */
     private void staircase(Graphics2D graphics, Rectangle2D plot) {
-        List<Spot> corners =
+        List<PaintedPoint> corners =
                 spots.stream().filter(spot -> front.corners().contains(spot.point())).toList();
         if (corners.isEmpty()) return;
         var path = new Path2D.Double();
         path.moveTo(corners.get(0).x(), plot.getMinY());
         double y = corners.get(0).y();
         path.lineTo(corners.get(0).x(), y);
-        for (Spot corner : corners.subList(1, corners.size())) {
+        for (PaintedPoint corner : corners.subList(1, corners.size())) {
             path.lineTo(corner.x(), y);
             y = corner.y();
             path.lineTo(corner.x(), y);
@@ -185,7 +185,7 @@ public final class FrontChart implements StudyPicture {
      */
     private void bars(
             Graphics2D graphics,
-            Spot spot,
+            PaintedPoint spot,
             LogScale across,
             LogScale up,
             double border,
@@ -211,11 +211,11 @@ public final class FrontChart implements StudyPicture {
         if (dx == 0) graphics.draw(new Line2D.Double(x0, y0 - dy, x0, y0 + dy));
     }
 
-    private List<LeaderColumn.Label> labels() {
+    private List<LeaderColumn.LeaderLabel> labels() {
         return spots.stream()
                 .map(
                         spot ->
-                                new LeaderColumn.Label(
+                                new LeaderColumn.LeaderLabel(
                                         label(spot.point()),
                                         spot.x(),
                                         spot.y(),

@@ -30,12 +30,12 @@ final class LeaderColumn {
      * @param color of the words
      * @param leader of the line
      */
-    record Label(String text, double x, double y, Color color, Color leader) {}
+    record LeaderLabel(String text, double x, double y, Color color, Color leader) {}
 
     /** Where a label stands: left end and middle of its row. */
-    record Row(double x, double y) {}
+    record LabelRow(double x, double y) {}
 
-    private final List<Label> labels;
+    private final List<LeaderLabel> labels;
     private final double left;
     private final double top;
     private final double bottom;
@@ -45,8 +45,8 @@ final class LeaderColumn {
      * @param top upper end of the column
      * @param bottom lower end of the column
      */
-    LeaderColumn(List<Label> labels, double left, double top, double bottom) {
-        this.labels = labels.stream().sorted(Comparator.comparingDouble(Label::y)).toList();
+    LeaderColumn(List<LeaderLabel> labels, double left, double top, double bottom) {
+        this.labels = labels.stream().sorted(Comparator.comparingDouble(LeaderLabel::y)).toList();
         this.left = left;
         this.top = top;
         this.bottom = bottom;
@@ -58,7 +58,7 @@ final class LeaderColumn {
     }
 
     /** The rows of the labels, in their order. */
-    List<Row> rows() {
+    List<LabelRow> rows() {
         double[] ys = spread();
         Integer[] row = IntStream.range(0, ys.length).boxed().toArray(Integer[]::new);
         boolean better = true;
@@ -74,8 +74,8 @@ final class LeaderColumn {
                         better = true;
                     }
         }
-        var rows = new ArrayList<Row>();
-        for (Integer one : row) rows.add(new Row(left, ys[one]));
+        var rows = new ArrayList<LabelRow>();
+        for (Integer one : row) rows.add(new LabelRow(left, ys[one]));
         return rows;
     }
 
@@ -85,7 +85,7 @@ final class LeaderColumn {
 
     /** Heights as near to the points' own as rows allow that do not overlap. */
     private double[] spread() {
-        double[] ys = labels.stream().mapToDouble(Label::y).toArray();
+        double[] ys = labels.stream().mapToDouble(LeaderLabel::y).toArray();
         double row = Math.min(ROW, (bottom - top) / Math.max(1, ys.length));
         double least = top + row / 2;
         for (int i = 0; i < ys.length; i++) {
@@ -106,11 +106,11 @@ final class LeaderColumn {
     void paint(Graphics2D graphics, double gap) {
         graphics.setFont(FONT);
         FontMetrics metrics = graphics.getFontMetrics();
-        List<Row> rows = rows();
+        List<LabelRow> rows = rows();
         graphics.setStroke(new BasicStroke(0.8f));
         for (int i = 0; i < rows.size(); i++) {
-            Label label = labels.get(i);
-            Row row = rows.get(i);
+            LeaderLabel label = labels.get(i);
+            LabelRow row = rows.get(i);
             double end = row.x() - 4;
             double length = Math.hypot(end - label.x(), row.y() - label.y());
             double share = length > gap ? gap / length : 1;

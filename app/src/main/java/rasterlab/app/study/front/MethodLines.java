@@ -28,7 +28,8 @@ record MethodLines(Map<String, MethodLook> looks, ChartLook paper) {
      * @param places of its points, from the left
      * @return the label at the line's end
      */
-    LeaderColumn.Label draw(Graphics2D graphics, String method, String name, List<Point2D> places) {
+    LeaderColumn.LeaderLabel draw(
+            Graphics2D graphics, String method, String name, List<Point2D> places) {
         MethodLook look = looks.get(method);
         graphics.setColor(look.color());
         graphics.setStroke(look.stroke());
@@ -36,11 +37,12 @@ record MethodLines(Map<String, MethodLook> looks, ChartLook paper) {
             graphics.draw(new Line2D.Double(places.get(i - 1), places.get(i)));
         for (Point2D at : places) look.marker().paint(graphics, at.getX(), at.getY(), MARK);
         Point2D last = places.get(places.size() - 1);
-        return new LeaderColumn.Label(name, last.getX(), last.getY(), paper.ink(), look.color());
+        return new LeaderColumn.LeaderLabel(
+                name, last.getX(), last.getY(), paper.ink(), look.color());
     }
 
     /** Names the lines to the right of the plot. */
-    static void name(Graphics2D graphics, List<LeaderColumn.Label> labels, Rectangle2D plot) {
+    static void name(Graphics2D graphics, List<LeaderColumn.LeaderLabel> labels, Rectangle2D plot) {
         new LeaderColumn(labels, plot.getMaxX() + 24, plot.getMinY(), plot.getMaxY())
                 .paint(graphics, MARK / 2.0 + 2);
     }

@@ -129,7 +129,7 @@ public final class SizesChart implements StudyPicture {
         LogScale up = LogScale.over(values(false), plot.getMaxY(), plot.getMinY());
         frame.axisRight(across, words.sizeAxis(study));
         frame.axisUp(up, of == Of.COST ? words.costPerInput(study) : words.errorAxis(study));
-        var labels = new ArrayList<LeaderColumn.Label>();
+        var labels = new ArrayList<LeaderColumn.LeaderLabel>();
         for (Line line : lines) {
             List<Point2D> places =
                     line.points().stream()

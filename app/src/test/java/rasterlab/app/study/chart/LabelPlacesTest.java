@@ -24,20 +24,21 @@ class LabelPlacesTest {
     private static final Point MIDDLE = new Point(300, 200);
 
     /** The place of a label at that point, the only one of the chart. */
-    private static LabelPlaces.Place only(Point point, List<Point> points, List<Line2D> lines) {
+    private static LabelPlaces.LabelPlace only(
+            Point point, List<Point> points, List<Line2D> lines) {
         return places(List.of(point), points, lines).get(0).orElseThrow();
     }
 
-    private static List<Optional<LabelPlaces.Place>> places(
+    private static List<Optional<LabelPlaces.LabelPlace>> places(
             List<Point> labelled, List<Point> points, List<Line2D> lines) {
         return LabelPlaces.of(
                 CHART,
                 points,
                 lines,
-                labelled.stream().map(point -> new LabelPlaces.Label(point, LABEL)).toList());
+                labelled.stream().map(point -> new LabelPlaces.PointLabel(point, LABEL)).toList());
     }
 
-    private static List<Optional<LabelPlaces.Place>> places(List<Point> labelled) {
+    private static List<Optional<LabelPlaces.LabelPlace>> places(List<Point> labelled) {
         return places(labelled, labelled, List.of());
     }
 
@@ -67,9 +68,10 @@ class LabelPlacesTest {
     @ValueSource(ints = {1, 2, 3, 4})
     void labelsLieOnNothing(int seed) {
         List<Point> crowd = crowd(seed, 24);
-        List<LabelPlaces.Place> places = places(crowd).stream().flatMap(Optional::stream).toList();
-        for (LabelPlaces.Place one : places) {
-            for (LabelPlaces.Place two : places)
+        List<LabelPlaces.LabelPlace> places =
+                places(crowd).stream().flatMap(Optional::stream).toList();
+        for (LabelPlaces.LabelPlace one : places) {
+            for (LabelPlaces.LabelPlace two : places)
                 if (one != two) {
                     assertFalse(one.box().intersects(two.box()), one + " on " + two);
                     assertFalse(
@@ -86,12 +88,12 @@ class LabelPlacesTest {
     @ValueSource(ints = {1, 2, 3, 4})
     void leaderJoinsALabelToItsOwnPoint(int seed) {
         List<Point> crowd = crowd(seed, 24);
-        List<Optional<LabelPlaces.Place>> places = places(crowd);
+        List<Optional<LabelPlaces.LabelPlace>> places = places(crowd);
         int leaders = 0;
         for (int i = 0; i < crowd.size(); i++) {
             if (places.get(i).isEmpty() || places.get(i).get().leader().isEmpty()) continue;
             leaders++;
-            LabelPlaces.Place place = places.get(i).get();
+            LabelPlaces.LabelPlace place = places.get(i).get();
             Line2D leader = place.leader().get();
             assertEquals(LabelSpots.MARKER, crowd.get(i).distance(leader.getP1()), 1e-9);
             assertTrue(distance(rounded(leader), place.box()) <= 1.5, place.toString());
@@ -112,10 +114,10 @@ class LabelPlacesTest {
     @ValueSource(ints = {1, 2, 3, 4, 5, 6})
     void labelWithoutALeaderIsNearestToItsOwnPoint(int seed) {
         List<Point> crowd = crowd(seed, 16);
-        List<Optional<LabelPlaces.Place>> places = places(crowd);
+        List<Optional<LabelPlaces.LabelPlace>> places = places(crowd);
         for (int i = 0; i < crowd.size(); i++) {
             Point own = crowd.get(i);
-            Optional<LabelPlaces.Place> place =
+            Optional<LabelPlaces.LabelPlace> place =
                     places.get(i).filter(found -> found.leader().isEmpty());
             if (place.isEmpty()) continue;
             for (Point other : crowd)
@@ -130,7 +132,7 @@ class LabelPlacesTest {
     @DisplayName("a label in one row with another point is read as that point's")
     void labelStandsInNoRowOfAnotherPoint() {
         var other = new Point(MIDDLE.x + 45, MIDDLE.y - 15);
-        LabelPlaces.Place place = only(MIDDLE, List.of(MIDDLE, other), List.of());
+        LabelPlaces.LabelPlace place = only(MIDDLE, List.of(MIDDLE, other), List.of());
         assertTrue(place.leader().isEmpty());
         assertTrue(place.box().getMinY() > other.y, place.toString());
     }
@@ -146,7 +148,7 @@ class LabelPlacesTest {
                                 i -> new Line2D.Double(200, 100 + 8 * i, 400, 100 + 8 * i))
                         .toList();
         List<Point> points = List.of(free, belowLines);
-        for (Optional<LabelPlaces.Place> place : places(points, points, lines))
+        for (Optional<LabelPlaces.LabelPlace> place : places(points, points, lines))
             assertTrue(place.orElseThrow().leader().isEmpty(), place.toString());
     }
 
@@ -181,7 +183,7 @@ class LabelPlacesTest {
                 IntStream.range(0, 49)
                         .mapToObj(i -> new Point(240 + 20 * (i % 7), 140 + 20 * (i / 7)))
                         .toList();
-        LabelPlaces.Place place = only(MIDDLE, crowd, List.of());
+        LabelPlaces.LabelPlace place = only(MIDDLE, crowd, List.of());
         assertTrue(place.leader().isPresent());
         for (Point point : crowd) assertFalse(place.box().contains(point), point.toString());
     }
@@ -229,7 +231,7 @@ class LabelPlacesTest {
     void labelsOfFewPointsStandRightAboveThem() {
         List<Point> few = List.of(MIDDLE, new Point(200, 200), new Point(100, 100));
         for (int i = 0; i < few.size(); i++) {
-            LabelPlaces.Place place = places(few).get(i).orElseThrow();
+            LabelPlaces.LabelPlace place = places(few).get(i).orElseThrow();
             assertTrue(place.leader().isEmpty());
             assertEquals(few.get(i).x, place.box().getCenterX(), 1);
             assertEquals(few.get(i).y - LabelSpots.MARKER - 3, place.box().getMaxY(), 1);

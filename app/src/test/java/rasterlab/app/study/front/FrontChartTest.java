@@ -69,11 +69,11 @@ class FrontChartTest {
         List<Double> rows =
                 chart.spots().stream()
                         .filter(spot -> spot.point().error().worst() == 0)
-                        .map(FrontChart.Spot::y)
+                        .map(FrontChart.PaintedPoint::y)
                         .distinct()
                         .toList();
         assertEquals(1, rows.size());
-        for (FrontChart.Spot spot : chart.spots()) assertTrue(spot.y() <= rows.get(0));
+        for (FrontChart.PaintedPoint spot : chart.spots()) assertTrue(spot.y() <= rows.get(0));
     }
 
     @Test
@@ -128,7 +128,7 @@ class FrontChartTest {
                 "it is not among the exact ones");
     }
 
-    private static FrontChart.Spot spot(FrontChart chart, String method) {
+    private static FrontChart.PaintedPoint spot(FrontChart chart, String method) {
         return chart.spots().stream()
                 .filter(spot -> spot.point().method().equals(method))
                 .findFirst()

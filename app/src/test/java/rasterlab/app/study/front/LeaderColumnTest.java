@@ -12,13 +12,13 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 class LeaderColumnTest {
-    private static LeaderColumn.Label label(double x, double y) {
-        return new LeaderColumn.Label("a", x, y, Color.BLACK, Color.BLACK);
+    private static LeaderColumn.LeaderLabel label(double x, double y) {
+        return new LeaderColumn.LeaderLabel("a", x, y, Color.BLACK, Color.BLACK);
     }
 
-    private static void assertNothingCrosses(List<LeaderColumn.Label> labels) {
-        labels.sort(Comparator.comparingDouble(LeaderColumn.Label::y));
-        List<LeaderColumn.Row> rows = new LeaderColumn(labels, 800, 40, 640).rows();
+    private static void assertNothingCrosses(List<LeaderColumn.LeaderLabel> labels) {
+        labels.sort(Comparator.comparingDouble(LeaderColumn.LeaderLabel::y));
+        List<LeaderColumn.LabelRow> rows = new LeaderColumn(labels, 800, 40, 640).rows();
         for (int i = 0; i < rows.size(); i++) {
             assertTrue(rows.get(i).y() >= 40 && rows.get(i).y() <= 640);
             for (int j = 0; j < i; j++) {
@@ -30,8 +30,8 @@ class LeaderColumnTest {
     }
 
     private static Line2D line(
-            List<LeaderColumn.Label> labels, List<LeaderColumn.Row> rows, int i) {
-        LeaderColumn.Label from = labels.get(i);
+            List<LeaderColumn.LeaderLabel> labels, List<LeaderColumn.LabelRow> rows, int i) {
+        LeaderColumn.LeaderLabel from = labels.get(i);
         return new Line2D.Double(from.x(), from.y(), rows.get(i).x(), rows.get(i).y());
     }
 
@@ -39,7 +39,7 @@ class LeaderColumnTest {
     void noLineToANameCrossesAnother() {
         for (int seed = 0; seed < 200; seed++) {
             var random = new Random(seed);
-            var labels = new ArrayList<LeaderColumn.Label>();
+            var labels = new ArrayList<LeaderColumn.LeaderLabel>();
             for (int i = 0; i < 15; i++)
                 labels.add(label(90 + 700 * random.nextDouble(), 40 + 600 * random.nextDouble()));
             assertNothingCrosses(labels);
@@ -48,7 +48,7 @@ class LeaderColumnTest {
 
     @Test
     void fifteenPointsInARowHaveLinesThatDoNotCross() {
-        var labels = new ArrayList<LeaderColumn.Label>();
+        var labels = new ArrayList<LeaderColumn.LeaderLabel>();
         for (int i = 0; i < 15; i++) labels.add(label(100 + 37 * (i * 7 % 15), 600));
         assertNothingCrosses(labels);
     }

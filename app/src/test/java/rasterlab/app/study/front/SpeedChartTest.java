@@ -62,10 +62,10 @@ class SpeedChartTest {
         SpeedChart chart = chart(new MedianInterval(1.5, 3, 3.2), Language.ENGLISH);
         FrontChart front = chart.front(ChartLook.PAPER);
         front.image(ChartLook.PAPER);
-        Map<String, FrontChart.Spot> spots =
+        Map<String, FrontChart.PaintedPoint> spots =
                 front.spots().stream()
                         .collect(Collectors.toMap(spot -> spot.point().method(), spot -> spot));
-        FrontChart.Spot mine =
+        FrontChart.PaintedPoint mine =
                 spots.values().stream()
                         .filter(spot -> spot.point().cost().medianNanos() == 3)
                         .findFirst()

@@ -19,12 +19,12 @@ final class Places {
     }
 
     static Places of(Corners corners) {
-        record Place(double x, double y) {}
-        Map<Place, Integer> numbers = new HashMap<>();
+        record CornerPoint(double x, double y) {}
+        Map<CornerPoint, Integer> numbers = new HashMap<>();
         int[] of = new int[corners.size()];
         for (int i = 0; i < of.length; i++) {
             // Adding 0 makes a 0 of −0, which is the same place.
-            var place = new Place(corners.x[i] + 0.0, corners.y[i] + 0.0);
+            var place = new CornerPoint(corners.x[i] + 0.0, corners.y[i] + 0.0);
             Integer known = numbers.putIfAbsent(place, numbers.size());
             of[i] = known == null ? numbers.size() - 1 : known;
         }
