@@ -104,6 +104,14 @@ internal class CourseRulesCommand : Callable<Int> {
     )
     var policy: String? = null
 
+    @Option(
+        names = ["--late-penalty"],
+        paramLabel = "PERCENT",
+        descriptionKey = "rules.penalty",
+        description = ["Percent of its points that late work loses per day begun after the late days; 0 for none."],
+    )
+    var latePenalty: String? = null
+
     override fun call(): Int =
         exercise.of.open { database, courses ->
             val course = courses.find(exercise.of.course) ?: throw exercise.of.unknown()
@@ -127,6 +135,7 @@ internal class CourseRulesCommand : Callable<Int> {
                 RuleField.LATE_DAYS to lateDays,
                 RuleField.ATTEMPTS to attempts,
                 RuleField.POLICY to policy,
+                RuleField.LATE_PENALTY to latePenalty,
             )
         return given.mapNotNull { (field, text) -> text?.let { field to it } }.toMap()
     }
@@ -141,6 +150,7 @@ internal class CourseRulesCommand : Callable<Int> {
                 rules.lateDays?.toString(),
                 rules.attempts?.toString(),
                 rules.policy.code,
+                rules.latePenalty.toString(),
             )
         RuleField.entries.zip(values).forEach { (field, value) ->
             spec.commandLine().out.println("${field.code}\t${value.orEmpty()}".trim())

@@ -80,6 +80,7 @@ public final class ServerReport {
                 number(points, "stability"),
                 number(points, "speed"),
                 number(points, "hints"),
+                number(points, "late"),
                 manual(points.path("manual")),
                 Math.max(0, number(points, "total")),
                 number(points, "of"));

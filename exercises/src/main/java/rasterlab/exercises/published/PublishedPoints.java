@@ -10,6 +10,7 @@ import rasterlab.exercises.score.ScorePoints;
  * Points with their sum.
  *
  * @param hints points that hints cost, which the sum has no more
+ * @param late points that lateness cost, which the sum has no more either
  * @param manual what a teacher gave or took, which the sum has too
  * @param total what is left of the sum, at least 0
  */
@@ -18,6 +19,7 @@ public record PublishedPoints(
         int stability,
         int speed,
         int hints,
+        int late,
         List<ManualPoints> manual,
         int total,
         int of)
@@ -28,20 +30,30 @@ public record PublishedPoints(
     }
 
     public static PublishedPoints of(ScorePoints points) {
-        return of(points, 0, List.of());
+        return of(points, 0, 0, List.of());
     }
 
-    /** The points, less the points that hints cost, and then with what a teacher gave or took. */
-    public static PublishedPoints of(ScorePoints points, int hints, List<ManualPoints> manual) {
+    /**
+     * The points, less those that hints cost, then less those for lateness, and then with what a
+     * teacher gave or took.
+     *
+     * @param percent that lateness costs of what is left beside hints, from 0 to 100; rounded down
+     *     to whole points
+     */
+    public static PublishedPoints of(
+            ScorePoints points, int hints, int percent, List<ManualPoints> manual) {
+        Bounds.require("percent", percent, 0, 100);
         int graded = Math.max(0, points.total() - hints);
+        int late = graded * percent / 100;
         int given = manual.stream().mapToInt(ManualPoints::points).sum();
         return new PublishedPoints(
                 points.accuracy(),
                 points.stability(),
                 points.speed(),
                 hints,
+                late,
                 manual,
-                Math.max(0, graded + given),
+                Math.max(0, graded - late + given),
                 points.of());
     }
 
@@ -52,6 +64,7 @@ public record PublishedPoints(
         out.writeNumberField("stability", stability);
         out.writeNumberField("speed", speed);
         if (hints > 0) out.writeNumberField("hints", hints);
+        if (late > 0) out.writeNumberField("late", late);
         if (!manual.isEmpty()) {
             out.writeArrayFieldStart("manual");
             for (ManualPoints one : manual) one.write(out);

@@ -264,6 +264,15 @@ sealed class Rejection(
         class Marked :
             Lateness("a late submission is graded like any other, costs no points and is marked as late", "late")
 
+        /** @param percent of the points of the submission */
+        class Costs(
+            percent: Int,
+            closes: Instant,
+        ) : Lateness(
+                "until $closes a submission counts, is marked as late, and now loses $percent % of its points",
+                "late-cost",
+            )
+
         class TakesDay(
             day: Int,
             of: Int,

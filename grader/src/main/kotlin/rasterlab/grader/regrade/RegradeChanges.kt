@@ -1,12 +1,13 @@
 package rasterlab.grader.regrade
 
 import org.jdbi.v3.core.Handle
+import rasterlab.grader.submission.Submissions
 import java.sql.ResultSet
 
 /**
  * The verdict and the points of one result.
  *
- * @param points less what hints cost
+ * @param points less what hints and lateness cost
  */
 data class RegradePoints(
     val verdict: String,
@@ -55,8 +56,8 @@ internal class RegradeChanges(
         return handle
             .createQuery(
                 """SELECT s.id, s.student_id, students.shown_name, s.attempt,
-                       b.verdict AS old_verdict, ${net("b")} AS old_points, b.points_of AS old_of,
-                       a.verdict AS new_verdict, ${net("a")} AS new_points, a.points_of AS new_of
+                       b.verdict AS old_verdict, ${Submissions.graded("b")} AS old_points, b.points_of AS old_of,
+                       a.verdict AS new_verdict, ${Submissions.graded("a")} AS new_points, a.points_of AS new_of
                    FROM regrade_items i
                    JOIN submissions s ON s.id = i.submission_id
                    JOIN students ON students.id = s.student_id
@@ -113,10 +114,5 @@ internal class RegradeChanges(
         const val BEFORE =
             """coalesce(i.former_id,
                (SELECT id FROM results r WHERE r.submission_id = i.submission_id AND r.is_current = 1))"""
-
-        fun net(result: String): String {
-            val sum = "$result.accuracy + $result.stability + $result.speed"
-            return "CASE WHEN $sum > s.hint_cost THEN $sum - s.hint_cost ELSE 0 END"
-        }
     }
 }

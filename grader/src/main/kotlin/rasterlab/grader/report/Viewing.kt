@@ -35,6 +35,7 @@ import kotlin.jvm.optionals.getOrNull
  * @param revision of the exercise that it was or will be graded against
  * @param current whether that is the exercise as it is now
  * @param late whether it was handed in after the deadline
+ * @param penalty percent of its points that it loses for that
  * @param opened whether nobody in the course can hand in for points any more, so that hidden cases answer in full
  * @param opensLater whether that is so at another moment than the deadline
  */
@@ -63,6 +64,7 @@ data class SubmissionView(
     val gradedAt: String?,
     val deadline: String?,
     val late: Boolean,
+    val penalty: Int,
     val opened: Boolean,
     @Transient val opensLater: Boolean = false,
 )
@@ -177,7 +179,7 @@ fun Submission.view(
         (if (report == null) state else State.DONE).code,
         if (report == null) position else 0,
         report?.verdict()?.code(),
-        report?.points()?.let { PublishedPoints.of(it, hintCost, manual) },
+        report?.points()?.let { PublishedPoints.of(it, hintCost, penalty, manual) },
         cases.map { it.view(id, words) },
         report?.diagnostics().orEmpty().map { PublishedDiagnostic.of(it, words.language) },
         report?.isolation(),
@@ -186,6 +188,7 @@ fun Submission.view(
         recorded?.gradedAt?.text(),
         due.at?.text(),
         due.late,
+        penalty,
         due.passed,
         due.opensLater,
     )

@@ -99,6 +99,7 @@ class CourseRules(
             val after = change.of(before)
             if (after != before) {
                 store(handle, course, exercise, after)
+                LatePenalties.settle(handle, course, exercise)
                 note(handle, course, by, "rules", exercise, changes(before, after))
             }
             after
@@ -156,6 +157,7 @@ class CourseRules(
                     reasonOf(reason),
                 )
             }
+            LatePenalties.settle(handle, course, exercise)
             note(handle, course, by, "extension", "$exercise $student", until.trim())
             of(handle, student, exercise)
         }
@@ -234,6 +236,7 @@ class CourseRules(
             RuleField.LATE_DAYS to rules.lateDays,
             RuleField.ATTEMPTS to rules.attempts,
             RuleField.POLICY to rules.policy.code,
+            RuleField.LATE_PENALTY to rules.latePenalty,
         ).map { (field, value) -> field to (value?.toString() ?: "–") }
 
     private fun ofCourse(
@@ -277,11 +280,11 @@ class CourseRules(
         ) {
             handle
                 .createUpdate(
-                    """INSERT INTO course_exercises (course_id, exercise, opens_at, due_at, zone, late_days, attempts, policy)
-                       VALUES (:course, :exercise, :opens, :due, :zone, :days, :attempts, :policy)
+                    """INSERT INTO course_exercises (course_id, exercise, opens_at, due_at, zone, late_days, attempts, policy, late_penalty)
+                       VALUES (:course, :exercise, :opens, :due, :zone, :days, :attempts, :policy, :penalty)
                        ON CONFLICT (course_id, exercise) DO UPDATE SET opens_at = excluded.opens_at, due_at = excluded.due_at,
                            zone = excluded.zone, late_days = excluded.late_days, attempts = excluded.attempts,
-                           policy = excluded.policy""",
+                           policy = excluded.policy, late_penalty = excluded.late_penalty""",
                 ).bind("course", course.id)
                 .bind("exercise", exercise)
                 .bind("opens", rules.opens?.text())
@@ -290,6 +293,7 @@ class CourseRules(
                 .bind("days", rules.lateDays)
                 .bind("attempts", rules.attempts)
                 .bind("policy", rules.policy.code)
+                .bind("penalty", rules.latePenalty)
                 .execute()
         }
 

@@ -17,6 +17,7 @@ enum class RuleField(
     LATE_DAYS("lateDays"),
     ATTEMPTS("attempts"),
     POLICY("policy"),
+    LATE_PENALTY("latePenalty"),
 }
 
 /**
@@ -49,6 +50,10 @@ class RuleChange(
                         )
                     },
                 policy = told[RuleField.POLICY]?.let(::policy) ?: before.policy,
+                latePenalty =
+                    changed(RuleField.LATE_PENALTY, before.latePenalty) {
+                        number(RuleField.LATE_PENALTY, it, ExerciseRules.PERCENT)
+                    } ?: 0,
             )
         if (after.opens != null && after.due != null && after.opens >= after.due) {
             throw Rejection.BadRule("order", "${after.opens}", "${after.due}")

@@ -26,6 +26,7 @@ private data class RulesAnswer(
     val lateDays: Int?,
     val attempts: Int?,
     val policy: String,
+    val latePenalty: Int,
 )
 
 @Serializable
@@ -122,4 +123,5 @@ private fun answer(
     rules.lateDays,
     rules.attempts,
     rules.policy.code,
+    rules.latePenalty,
 )

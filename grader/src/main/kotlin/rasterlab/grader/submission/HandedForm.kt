@@ -3,6 +3,7 @@ package rasterlab.grader.submission
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.predicting.Sheet
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.Secrets
 import kotlin.jvm.optionals.getOrNull
 
@@ -17,6 +18,9 @@ internal class HandedForm private constructor(
 ) {
     /** Whether the student agrees that it is marked as late. */
     val late: Boolean = text(LATE) == ACCEPT
+
+    /** The percentage of its points that the student agrees to lose for that, at most; 0 where the page asked for none. */
+    val percent: Int = text(PERCENT).toIntOrNull()?.takeIf { it in ExerciseRules.PERCENT } ?: 0
 
     /** Whether it is only to be shown once more, as in another language, and not handed in. */
     val again: Boolean = text(AGAIN).isNotEmpty()
@@ -62,6 +66,9 @@ internal class HandedForm private constructor(
 
         /** The field that asks for the form once more as it is filled in. */
         const val AGAIN = "again"
+
+        /** The field that says how much of its points lateness costs, as the page has it. */
+        const val PERCENT = "percent"
 
         /** The field that says which sheet the answers are to. */
         const val SEED = "seed"

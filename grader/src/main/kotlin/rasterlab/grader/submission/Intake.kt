@@ -8,6 +8,7 @@ import rasterlab.grader.limits.Allowance
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.rules.Arrival
 import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.Secrets
@@ -48,6 +49,7 @@ class Intake(
     /**
      * @param key what the student calls this request, so that repeating it gives the same submission
      * @param late whether the student agrees that it is marked as late where the deadline has passed
+     * @param most percent of its points that the student agrees to lose for that
      * @throws Rejection.Late where it has and the student does not
      */
     fun accept(
@@ -56,6 +58,7 @@ class Intake(
         source: String,
         key: String?,
         late: Boolean = false,
+        most: Int = ExerciseRules.PERCENT.last,
     ): Accepted {
         if (!database.hasRoom()) throw Rejection.NoRoom()
         val handedSeed =
@@ -66,7 +69,7 @@ class Intake(
             val earlier = request.made(handle)
             val id =
                 earlier ?: run {
-                    requireTaken(handle, student, exercise, late)
+                    requireTaken(handle, student, exercise) { late && it <= most }
                     checkLimits(handle, student, before)
                     insert(handle, student, exercise, source, handedSeed)
                         .also { request.remember(handle, it, clock.instant()) }
@@ -77,12 +80,16 @@ class Intake(
         }
     }
 
-    /** Practice is free: it uses up no attempt, and none has to be left. */
+    /**
+     * Practice is free: it uses up no attempt, and none has to be left.
+     *
+     * @param agreed tells whether the student agrees that lateness costs that percentage, which may be 0
+     */
     private fun requireTaken(
         handle: Handle,
         student: Identity.Student,
         exercise: Exercise,
-        late: Boolean,
+        agreed: (Int) -> Boolean,
     ) {
         val rules = CourseRules.of(handle, student.id, exercise.id())
         val now = clock.instant()
@@ -91,7 +98,7 @@ class Intake(
         rules.attempts?.takeIf { counts && made(handle, student, exercise) >= it }?.let {
             throw Rejection.NoAttemptsLeft(exercise.id(), it)
         }
-        if (!late) rules.lateness(now)?.let { throw Rejection.Late(checkNotNull(rules.due), it) }
+        if (!agreed(rules.penalty(now))) rules.lateness(now)?.let { throw Rejection.Late(checkNotNull(rules.due), it) }
     }
 
     private fun made(
@@ -109,12 +116,14 @@ class Intake(
     ): String {
         handedSeed?.let { Sheets.requireSeed(it, Sheets.seed(handle, student, exercise)) }
         val id = Secrets.newId()
+        val now = clock.instant()
+        val rules = CourseRules.of(handle, student.id, exercise.id())
         handle
             .createUpdate(
                 """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state, round,
-                       hint_cost, due_at)
+                       hint_cost, due_at, penalty_agreed, penalty)
                    SELECT :id, :student, :exercise, :revision, coalesce(max(attempt), 0) + 1, :source, :seed, :now, 'queued',
-                       $ROUND, $HINTS, :due
+                       $ROUND, $HINTS, :due, :penalty, :penalty
                    FROM submissions WHERE student_id = :student AND exercise = :exercise""",
             ).bind("id", id)
             .bind("student", student.id)
@@ -122,9 +131,10 @@ class Intake(
             .bind("revision", exercise.revision())
             .bind("source", source)
             .bind("seed", handedSeed ?: Secrets.newSeed())
-            .bind("now", clock.instant().text())
-            .bind("longAgo", (clock.instant() - LONG_WAIT).text())
-            .bind("due", CourseRules.of(handle, student.id, exercise.id()).due?.text())
+            .bind("now", now.text())
+            .bind("longAgo", (now - LONG_WAIT).text())
+            .bind("due", rules.due?.text())
+            .bind("penalty", rules.penalty(now))
             .execute()
         return id
     }

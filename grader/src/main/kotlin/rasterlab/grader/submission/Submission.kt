@@ -28,6 +28,7 @@ enum class State {
  * @param seed draws the hidden cases, so that grading again gives the same result
  * @param tries how often grading was begun
  * @param hintCost points that hints cost which were shown before it was received
+ * @param penalty percent of its points that it loses for lateness
  * @param dueAt the deadline that held when it was received, or null where there was none
  */
 data class Submission(
@@ -42,5 +43,6 @@ data class Submission(
     val state: State,
     val tries: Int,
     val hintCost: Int,
+    val penalty: Int,
     val dueAt: Instant?,
 )

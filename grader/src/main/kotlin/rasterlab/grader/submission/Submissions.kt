@@ -132,7 +132,7 @@ class Submissions(
         handle
             .createQuery(
                 """SELECT s.id, s.student_id, s.exercise, s.revision, s.attempt, '' AS source, s.seed, s.received_at,
-                          s.state, s.tries, s.hint_cost, s.is_chosen, s.due_at, students.shown_name AS student_name, r.verdict,
+                          s.state, s.tries, s.hint_cost, s.penalty, s.is_chosen, s.due_at, students.shown_name AS student_name, r.verdict,
                           r.revision AS graded_against, $NET AS total, r.points_of,
                           $GIVEN AS given,
                           CASE WHEN s.received_at > ${ExerciseRules.DUE} AND s.received_at > s.due_at
@@ -170,11 +170,22 @@ class Submissions(
             """coalesce((SELECT sum(a.points) FROM adjustments a
                WHERE a.submission_id = s.id AND a.revoked_at IS NULL), 0)"""
 
-        /** The points of a result that are left when its submission paid for hints, and what staff gave or took. */
-        internal const val NET =
+        /** The points of the result in row `r` that are left beside hints and lateness, and what staff gave or took. */
+        internal val NET =
             """(SELECT CASE WHEN graded + given > 0 THEN graded + given WHEN graded IS NOT NULL THEN 0 END
-               FROM (SELECT $GIVEN AS given, CASE WHEN r.accuracy + r.stability + r.speed > s.hint_cost
-                   THEN r.accuracy + r.stability + r.speed - s.hint_cost WHEN r.id IS NOT NULL THEN 0 END AS graded) AS net)"""
+               FROM (SELECT $GIVEN AS given, ${graded("r")} AS graded) AS net)"""
+
+        /**
+         * The points of a result that are left when its submission in row `s` paid for hints, and then for lateness, whose
+         * share is rounded down to whole points; null where there is no result.
+         *
+         * @param result the name of its row
+         */
+        internal fun graded(result: String): String {
+            val sum = "$result.accuracy + $result.stability + $result.speed"
+            return """(SELECT kept - kept * s.penalty / 100 FROM
+                (SELECT CASE WHEN $sum > s.hint_cost THEN $sum - s.hint_cost WHEN $result.id IS NOT NULL THEN 0 END AS kept) AS beside)"""
+        }
 
         internal fun find(
             handle: Handle,
@@ -213,6 +224,7 @@ class Submissions(
                 state = State.of(row.getString("state")),
                 tries = row.getInt("tries"),
                 hintCost = row.getInt("hint_cost"),
+                penalty = row.getInt("penalty"),
                 dueAt = row.getString("due_at")?.let { Instant.parse(it) },
             )
     }

@@ -69,7 +69,7 @@ fun Route.exercisePages(
         if (form.again) return@post page.show(call, student, exercise, form)
         page.showAgain(call, student, exercise, form)
         val source = form.source()
-        val accepted = intake.accept(student, exercise, source, form.once(source), form.late)
+        val accepted = intake.accept(student, exercise, source, form.once(source), form.late, form.percent)
         queue.ring(accepted.id)
         call.tell(accepted.allowance)
         call.respondRedirect("/submissions/${accepted.id}")

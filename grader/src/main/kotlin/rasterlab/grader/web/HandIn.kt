@@ -88,6 +88,7 @@ private fun FlowContent.handing(
     id = name
     input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }
     content()
+    input(InputType.hidden, name = HandedForm.PERCENT) { value = "${stand.rules.penalty(stand.now)}" }
     texts.consent(stand.rules, stand.now)?.let { consent(it, agreed = stand.form?.late == true) }
     button { +texts.say("exercise.submit.do") }
 }

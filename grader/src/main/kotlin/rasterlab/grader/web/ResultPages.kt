@@ -59,7 +59,12 @@ private fun FlowContent.deadline(
     hidesCases: Boolean,
 ) {
     val due = view.deadline?.let { Instant.parse(it).forPeople() } ?: return
-    if (view.late) p("late") { +texts.say("result.late", due) }
+    if (view.late) {
+        p("late") {
+            val words = if (view.penalty > 0) "result.late.charged" else "result.late"
+            +texts.say(words, due, view.penalty)
+        }
+    }
     val said =
         when {
             view.opened -> if (hidesCases) "result.opened" else "result.over"

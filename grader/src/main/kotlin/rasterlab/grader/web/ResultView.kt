@@ -53,7 +53,7 @@ fun DIV.result(
     div("verdict card") {
         status(texts, view.verdict, view.state)
         progress(texts, view)
-        view.points?.let { points(texts, it, files.asksForPrograms) }
+        view.points?.let { points(texts, it, view.penalty, files.asksForPrograms) }
         if (!view.current) p("earlier") { +texts.say("result.earlier", view.revision) }
         if (view.verdict == "internal") p { +texts.say("result.internal") }
     }
@@ -102,15 +102,20 @@ private fun FlowContent.progress(
     }
 }
 
-/** @param byKind whether they are of several kinds, as those of programs are */
+/**
+ * @param percent that lateness costs
+ * @param byKind whether they are of several kinds, as those of programs are
+ */
 private fun FlowContent.points(
     texts: PageTexts,
     points: PublishedPoints,
+    percent: Int,
     byKind: Boolean,
 ) {
     p("total") {
         +texts.say("result.points", points.total, points.of)
         if (points.hints > 0) span("hint-cost") { +texts.say("table.hints", points.hints) }
+        if (points.late > 0) span("hint-cost") { +texts.say("result.late.cost", points.late, percent) }
     }
     if (points.manual.isNotEmpty()) {
         ul("manual") {

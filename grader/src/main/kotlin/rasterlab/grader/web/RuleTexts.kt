@@ -25,6 +25,9 @@ internal fun PageTexts.rules(
         say(
             "exercise.policy.${rules.policy.code}",
         ).takeIf { rules != ExerciseRules(due = rules.due, zone = rules.zone) },
+        rules.latePenalty.takeIf { it > 0 && rules.due != null && rules.arrival(now) != Arrival.PRACTICE }?.let {
+            say("exercise.penalty", it, rules.freeDays ?: 0, rules.closes?.forPeople(rules.zone).orEmpty())
+        },
     )
 
 private fun PageTexts.deadline(
@@ -33,22 +36,26 @@ private fun PageTexts.deadline(
     now: Instant,
 ): String {
     val told = due.forPeople(rules.zone)
-    val closes = rules.closes?.forPeople(rules.zone).orEmpty()
+    val free = rules.free?.forPeople(rules.zone).orEmpty()
     return when (rules.arrival(now)) {
         Arrival.IN_TIME -> {
             when (val days = rules.lateDays) {
                 null -> say("exercise.due", told)
-                0 -> say("exercise.due.strict", told)
-                else -> say("exercise.due.days", told, days, closes)
+                0 -> say(if (rules.latePenalty > 0) "exercise.due" else "exercise.due.strict", told)
+                else -> say("exercise.due.days", told, days, free)
             }
         }
 
         Arrival.LATE -> {
-            say("exercise.over", told)
+            if (rules.latePenalty > 0) {
+                say("exercise.over.cost", told, rules.penalty(now))
+            } else {
+                say("exercise.over", told)
+            }
         }
 
         Arrival.LATE_DAY -> {
-            say("exercise.over.day", told, closes, rules.lateDay(now), rules.lateDays ?: 0)
+            say("exercise.over.day", told, free, rules.lateDay(now), rules.lateDays ?: 0)
         }
 
         Arrival.PRACTICE -> {
@@ -64,7 +71,7 @@ internal fun PageTexts.consent(
 ): String? =
     when (rules.arrival(now)) {
         Arrival.IN_TIME -> null
-        Arrival.LATE -> say("exercise.late")
+        Arrival.LATE -> rules.penalty(now).let { if (it > 0) say("exercise.late.cost", it) else say("exercise.late") }
         Arrival.LATE_DAY -> say("exercise.late.day", rules.lateDay(now), rules.lateDays ?: 0)
         Arrival.PRACTICE -> say("exercise.late.practice")
     }

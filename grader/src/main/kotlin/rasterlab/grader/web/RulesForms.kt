@@ -43,6 +43,7 @@ internal fun FlowContent.rulesForm(
         rule(texts, RuleField.DEADLINE, InputType.dateTimeLocal, time(held.due), typed)
         rule(texts, RuleField.ZONE, InputType.text, held.zone.named(), typed)
         rule(texts, RuleField.LATE_DAYS, InputType.number, held.lateDays?.toString().orEmpty(), typed)
+        rule(texts, RuleField.LATE_PENALTY, InputType.number, "${held.latePenalty}", typed)
         rule(texts, RuleField.ATTEMPTS, InputType.number, held.attempts?.toString().orEmpty(), typed)
         label {
             span { +texts.say("rules.policy") }

@@ -111,6 +111,12 @@ private suspend fun ApplicationCall.respondRules(
                             td { +rules.attempts?.toString().orEmpty() }
                             td { +texts.say("rules.policy.${rules.policy.code}") }
                             td {
+                                +rules.latePenalty
+                                    .takeIf { it > 0 }
+                                    ?.let { "$it\u00a0%" }
+                                    .orEmpty()
+                            }
+                            td {
                                 a("${rulesAddress(course, exercise)}/errors") {
                                     attributes["aria-label"] =
                                         "${texts.say("errors.heading")}: ${exercise.title(texts.language)}"

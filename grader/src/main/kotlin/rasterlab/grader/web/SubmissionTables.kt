@@ -97,6 +97,9 @@ private fun FlowContent.listing(
                         if (row.points != null && row.submission.hintCost > 0) {
                             span("hint-cost") { +texts.say("table.hints", row.submission.hintCost) }
                         }
+                        if (row.points != null && row.submission.penalty > 0) {
+                            span("hint-cost") { +texts.say("table.late.cost", row.submission.penalty) }
+                        }
                         if (row.points != null && row.given != 0) {
                             span("hint-cost") { +texts.say("table.given", signed(row.given)) }
                         }

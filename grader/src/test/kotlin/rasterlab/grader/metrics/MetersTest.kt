@@ -79,5 +79,5 @@ class MetersTest {
     private fun submission(
         received: Instant,
         tries: Int,
-    ) = Submission("s", "p", "draw-dot", "r1", 1, "", 1, received, State.RUNNING, tries, 0, null)
+    ) = Submission("s", "p", "draw-dot", "r1", 1, "", 1, received, State.RUNNING, tries, 0, 0, null)
 }

@@ -29,6 +29,33 @@ class ExerciseRulesTest {
         assertEquals(day, rules.lateDay(at))
     }
 
+    @ParameterizedTest(name = "{0} late days, {1} % a day: what comes at {2} is not {3}, or costs other than {4} %")
+    @CsvSource(
+        "2, 40, 2026-03-28T22:00:00.000Z, IN_TIME, 0",
+        "2, 40, 2026-03-30T21:00:00.000Z, LATE_DAY, 0",
+        "2, 40, 2026-03-30T21:00:00.001Z, LATE, 40",
+        "2, 40, 2026-03-31T21:00:00.000Z, LATE, 40",
+        "2, 40, 2026-03-31T21:00:00.001Z, LATE, 80",
+        "2, 40, 2026-04-01T21:00:00.000Z, LATE, 80",
+        "2, 40, 2026-04-01T21:00:00.001Z, PRACTICE, 0",
+        "-1, 10, 2026-03-29T21:00:00.000Z, LATE, 10",
+        "-1, 10, 2026-03-29T21:00:00.001Z, LATE, 20",
+        "0, 50, 2026-03-29T21:00:00.001Z, PRACTICE, 0",
+        "1, 100, 2026-03-29T21:00:00.000Z, LATE_DAY, 0",
+        "1, 100, 2026-03-29T21:00:00.001Z, PRACTICE, 0",
+    )
+    fun chargesDaysBegunAfterTheLateDays(
+        days: Int,
+        percent: Int,
+        at: Instant,
+        arrival: Arrival,
+        penalty: Int,
+    ) {
+        val ruled = rules.copy(lateDays = days.takeIf { it >= 0 }, latePenalty = percent)
+        assertEquals(arrival to penalty, ruled.arrival(at) to ruled.penalty(at))
+        assertEquals(0, ruled.copy(due = null).penalty(Instant.MAX))
+    }
+
     @ParameterizedTest(name = "with {0} late days, what comes a day late is other than {1}")
     @CsvSource("-1, LATE", "0, PRACTICE", "1, LATE_DAY")
     fun tellsWhatALateDayIsWorth(

@@ -120,6 +120,24 @@ class TablesTest {
             }
         }
 
+    @Test
+    @DisplayName("what a course of version 16 ruled is lost, or its late work costs something at once")
+    fun chargesNothingForWhatCameBefore() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("11")
+                fill(source, 11)
+                Tables(source).migrate("16")
+                source.execute("UPDATE course_exercises SET late_days = 2, attempts = 3, policy = 'last'")
+                Tables(source).migrate()
+                assertWhole(source, 11, attempts = "3", policy = "last")
+                source.assertRows("late_days, late_penalty FROM course_exercises", "2 0")
+                source.assertRows("penalty_agreed, penalty FROM submissions", "0 0")
+                source.execute("UPDATE submissions SET penalty = 30")
+                source.assertRows("${Submissions.NET} FROM submissions s JOIN results r ON r.run = 2", "7")
+            }
+        }
+
     private fun sqlite(): DataSource =
         SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
             .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }
@@ -179,6 +197,8 @@ class TablesTest {
     private fun assertWhole(
         source: DataSource,
         version: Int,
+        attempts: String = "null",
+        policy: String = "best",
     ) {
         val figures = if (version >= 10) "5.0 0.5" else "null null"
         source.assertRows("run, is_current, revision, accuracy FROM results", "1 0 r0 4", "2 1 r1 6")
@@ -191,7 +211,10 @@ class TablesTest {
         val russian = if (version >= 11) "1" else "null"
         source.assertRows("length(png), length(png_ru) FROM case_pictures", *kept(7, "1 $russian"))
         source.assertRows("method, ratio, $run speed_methods ON result_id = results.id", *kept(10, "dda 1.5 2"))
-        source.assertRows("due_at, zone, policy, attempts FROM course_exercises", *kept(9, "$THEN UTC best null"))
+        source.assertRows(
+            "due_at, zone, policy, attempts FROM course_exercises",
+            *kept(9, "$THEN UTC $policy $attempts"),
+        )
         source.assertRows("number, shown_name FROM students", "1 Ada", "2 Ada (2)", "3 Ada (2) (3)")
         source.assertRows("is_chosen, hint_cost FROM submissions", "0 0")
     }

@@ -92,6 +92,7 @@ final class ReportText {
                         points.stability(),
                         points.speed()));
         if (points.hints() > 0) say("hints", "−" + points.hints());
+        if (points.late() > 0) say("late-cost", "−" + points.late());
         points.manual().forEach(one -> say("manual", one.signed() + ", " + one.reason()));
         int hidden = all - points.of();
         if (hidden > 0)

@@ -72,8 +72,8 @@ public final class SubmitCommand implements Callable<Integer> {
     @Option(
             names = "--late",
             description =
-                    "hands in after the deadline too: it is graded like any other attempt, costs no"
-                            + " points and is marked as late")
+                    "hands in after the deadline too: it is graded like any other attempt and marked"
+                            + " as late, and loses the points that the course takes for that")
     private boolean late;
 
     @Option(names = "--json", description = "prints the server's document as it is")
