@@ -265,7 +265,7 @@ sealed class Rejection(
             Lateness("a late submission is graded like any other, costs no points and is marked as late", "late")
 
         /** @param percent of the points of the submission */
-        class Costs(
+        class TakesPoints(
             percent: Int,
             closes: Instant,
         ) : Lateness(

@@ -100,7 +100,7 @@ data class ExerciseRules(
         }
 
     private fun late(penalty: Int) =
-        if (penalty == 0) Rejection.Lateness.Marked() else Rejection.Lateness.Costs(penalty, checkNotNull(closes))
+        if (penalty == 0) Rejection.Lateness.Marked() else Rejection.Lateness.TakesPoints(penalty, checkNotNull(closes))
 
     /** How many days may be paid for before nothing is left. */
     private fun costlyDays() = if (latePenalty == 0) 0 else (PERCENT.last - 1) / latePenalty
