@@ -25,16 +25,16 @@ dependencies {
     implementation(libs.commonmark)
     implementation(libs.commonmark.ext.gfm.tables)
     implementation(libs.flyway.core)
+    implementation(libs.flyway.database.postgresql)
     implementation(libs.jdbi3.core)
     implementation(libs.kotlin.stdlib)
     implementation(libs.kotlinx.html)
     implementation(libs.kotlinx.serialization.json)
+    implementation(libs.postgresql)
     implementation(libs.sqlite.jdbc)
     implementation(libs.tls.channel)
-    testImplementation(libs.flyway.database.postgresql)
     testImplementation(libs.json.schema.validator)
     testImplementation(libs.ktor.server.test.host)
-    testImplementation(libs.postgresql)
 }
 
 application {

@@ -17,7 +17,6 @@ import rasterlab.grader.report.Grades
 import rasterlab.grader.report.GradesReader
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
-import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.storage.Database
 import rasterlab.grader.submission.Marks
 import java.io.IOException
@@ -55,8 +54,7 @@ internal class CourseOptions {
     lateinit var course: String
 
     /** Runs [work] with the database and the course in it. */
-    fun <T> open(work: (Database, Courses) -> T): T =
-        openDatabase(DataFolder.databaseOf(of.data, of.db)).use { work(it, Courses(it, InstantSource.system())) }
+    fun <T> open(work: (Database, Courses) -> T): T = of.open().use { work(it, Courses(it, InstantSource.system())) }
 
     fun unknown() = CannotStart(Reason.NO_COURSE, course)
 }
@@ -93,7 +91,7 @@ internal class CourseListCommand : Callable<Int> {
     lateinit var of: DataOptions
 
     override fun call(): Int {
-        openDatabase(DataFolder.databaseOf(of.data, of.db)).use { database ->
+        of.open().use { database ->
             val courses = Courses(database, InstantSource.system())
             for (course in courses.all()) {
                 val students = courses.students(course.id).orEmpty().size

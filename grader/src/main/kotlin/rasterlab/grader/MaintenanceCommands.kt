@@ -11,6 +11,9 @@ import rasterlab.grader.storage.Backups
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
 import rasterlab.grader.storage.DataFolder
+import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.PostgresAddress
+import rasterlab.grader.storage.SqliteFile
 import java.nio.file.Path
 import java.time.InstantSource
 import java.util.concurrent.Callable
@@ -30,9 +33,20 @@ internal class DataOptions {
         names = ["--db"],
         paramLabel = "URL",
         descriptionKey = "db",
-        description = ["Database, sqlite:FILE (default: rasterlab.db in the data folder)."],
+        description = [
+            "Database, sqlite:FILE or postgresql://USER@HOST:PORT/NAME",
+            "(default: rasterlab.db in the data folder).",
+        ],
     )
     var db: String? = null
+
+    /** The database, also while the server runs. */
+    fun open(): Database = openDatabase(DataFolder.databaseOf(data, db), data)
+
+    /** @throws CannotStart where the database is in no file, which has backups of another kind */
+    fun requireFile() {
+        db?.let { PostgresAddress.of(it) }?.let { throw CannotStart(Reason.BACKUP_POSTGRES, it) }
+    }
 }
 
 @Command(
@@ -56,7 +70,8 @@ internal class BackupCommand(
     lateinit var file: Path
 
     override fun call(): Int {
-        Backups.take(DataFolder.databaseOf(of.data, of.db), file)
+        of.requireFile()
+        Backups.take((DataFolder.databaseOf(of.data, of.db) as SqliteFile).path, file)
         spec.commandLine().out.println(oneLine(words.say("backed.up", "$file")))
         return 0
     }
@@ -80,6 +95,7 @@ internal class RestoreCommand(
     lateinit var file: Path
 
     override fun call(): Int {
+        of.requireFile()
         Backups.refuseUnlessWhole(file)
         DataFolder.take(of.data, of.db, Reason.USED_RESTORE).use { folder ->
             val former = Backups.restore(file, folder.databaseFile)
@@ -116,12 +132,12 @@ internal class TokenCommand : Callable<Int> {
 
     /** The line is the same in every language: programs wait for it, as for that of serve. */
     override fun call(): Int {
-        val file = DataFolder.databaseOf(of.data, of.db)
-        openDatabase(file).use { database ->
+        val place = DataFolder.databaseOf(of.data, of.db)
+        openDatabase(place, of.data).use { database ->
             val accounts = Accounts(database, InstantSource.system())
             val token =
                 if (who == INSTRUCTOR) {
-                    accounts.renewInstructor() ?: throw CannotStart(Reason.NO_INSTRUCTOR, file)
+                    accounts.renewInstructor() ?: throw CannotStart(Reason.NO_INSTRUCTOR, place)
                 } else {
                     accounts.renewStudent(who, by = "command", key = null) ?: throw CannotStart(Reason.NO_STUDENT, who)
                 }

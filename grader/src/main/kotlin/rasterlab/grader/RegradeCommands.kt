@@ -16,7 +16,6 @@ import rasterlab.grader.regrade.RegradeState
 import rasterlab.grader.regrade.Regrades
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
-import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.storage.text
 import java.time.InstantSource
 import java.util.concurrent.Callable
@@ -140,8 +139,7 @@ internal class RegradeOptions {
     )
     lateinit var regrade: String
 
-    fun <T> open(work: (Regrades) -> T): T =
-        openDatabase(DataFolder.databaseOf(of.data, of.db)).use { work(Regrades(it, InstantSource.system())) }
+    fun <T> open(work: (Regrades) -> T): T = of.open().use { work(Regrades(it, InstantSource.system())) }
 }
 
 /** Prints where a regrade stands, after what is done with it. */

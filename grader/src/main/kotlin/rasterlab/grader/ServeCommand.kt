@@ -19,7 +19,6 @@ import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
 import rasterlab.grader.storage.DataFolder
-import rasterlab.grader.storage.Database
 import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.SpeedBands
 import java.io.IOException
@@ -76,7 +75,10 @@ internal class ServeCommand(
     @Option(
         names = ["--db"],
         paramLabel = "URL",
-        description = ["Database, sqlite:FILE (default: rasterlab.db in the data folder)."],
+        description = [
+            "Database, sqlite:FILE or postgresql://USER@HOST:PORT/NAME",
+            "(default: rasterlab.db in the data folder).",
+        ],
     )
     var db: String? = null
 
@@ -237,7 +239,7 @@ internal class ServeCommand(
     ) {
         DataFolder.take(data, db).use { folder ->
             logTo(folder.logFile)
-            openDatabase(folder.databaseFile).use { database ->
+            openDatabase(folder.database, data, alone = true).use { database ->
                 Judge.start(JudgeSettings.defaults(), SpeedBands(database)).use { judge ->
                     val log = LoggerFactory.getLogger(javaClass)
                     log.info("isolation: {}", judge.isolation().holds("en"))
@@ -370,11 +372,3 @@ internal fun isolationLines(
     return listOf(words.say("isolation", isolation.holds(language))) +
         isolation.missing().map { words.say("isolation.missing", it.`in`(language)) }
 }
-
-/** @throws CannotStart with the reason that lies deepest, as those above it say only that opening failed */
-internal fun openDatabase(file: Path): Database =
-    try {
-        Database.open(file)
-    } catch (failure: RuntimeException) {
-        throw CannotStart(Reason.DATABASE, file, failure.reason(), cause = failure)
-    }

@@ -11,7 +11,6 @@ import rasterlab.grader.course.Name
 import rasterlab.grader.course.NewToken
 import rasterlab.grader.course.Staff
 import rasterlab.grader.course.StaffRole
-import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.storage.text
 import java.time.InstantSource
 import java.util.concurrent.Callable
@@ -36,8 +35,7 @@ internal class StaffOptions {
     @Mixin
     lateinit var of: DataOptions
 
-    fun <T> open(work: (Staff) -> T): T =
-        openDatabase(DataFolder.databaseOf(of.data, of.db)).use { work(Staff(it, InstantSource.system())) }
+    fun <T> open(work: (Staff) -> T): T = of.open().use { work(Staff(it, InstantSource.system())) }
 }
 
 /** Who of the staff is meant. */

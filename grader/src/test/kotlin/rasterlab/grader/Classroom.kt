@@ -37,6 +37,7 @@ import rasterlab.grader.edge.DoorLimits
 import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.nio.file.Path
@@ -45,7 +46,7 @@ import java.time.InstantSource
 import java.util.Optional
 import javax.net.ssl.SSLContext
 
-/** A server on a real SQLite file in [folder], graded by [grading]. */
+/** A server on a real database of [folder], an SQLite file as a rule, graded by [grading]. */
 class Classroom(
     val folder: Path,
     private val grading: Grading =
@@ -91,7 +92,7 @@ class Classroom(
     }
 
     private fun serve(use: (Server, Database, String) -> Unit) =
-        Database.open(file).use { database ->
+        TestDatabases.open(folder).use { database ->
             Server(database, Exercises(listOf(exercise), kept), grading, ISOLATION, settings, clock).use { server ->
                 val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
                 server.accounts.instructorAnnounced()

@@ -11,6 +11,7 @@ import rasterlab.exercises.score.Message
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
 import rasterlab.grader.storage.DataFolder
+import rasterlab.grader.storage.SqliteFile
 import java.io.PrintWriter
 import java.io.StringWriter
 import java.net.InetAddress
@@ -191,7 +192,7 @@ class RussianCommandTest {
     @Test
     fun `a database of another program is refused in English`() {
         val notes = folder.resolve("notes.db").apply { writeText("not a database ".repeat(100)) }
-        val refused = assertThrows(CannotStart::class.java) { openDatabase(notes) }
+        val refused = assertThrows(CannotStart::class.java) { openDatabase(SqliteFile(notes), folder) }
         assertRussian(refused.said(RUSSIAN))
     }
 
@@ -220,7 +221,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)|regrade\\.(id|of.*|submission|dry)",
+                    "lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)|regrade\\.(id|of.*|submission|dry)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 import picocli.CommandLine.Model.CommandSpec
 import rasterlab.grader.storage.CannotStart
+import rasterlab.grader.storage.SqliteFile
 import java.io.IOException
 import java.io.PrintWriter
 import java.io.StringWriter
@@ -102,7 +103,7 @@ class StartFailureTest {
     }
 
     private fun refusal(file: Path): String {
-        val refused = assertThrows(CannotStart::class.java) { openDatabase(file) }
+        val refused = assertThrows(CannotStart::class.java) { openDatabase(SqliteFile(file), folder) }
         assertEquals(1, refused.message.lines().size, refused.message)
         assertTrue(refused.cause != null, "the cause is dropped")
         return refused.message

@@ -19,12 +19,15 @@ import kotlin.io.path.isSymbolicLink
 import kotlin.io.path.readSymbolicLink
 import kotlin.io.path.setPosixFilePermissions
 
-/** A folder, and the database in it or elsewhere, that one server has to itself until it closes them. */
+/** A folder, and the database in it or in a file elsewhere, that one server has to itself until it closes them. */
 class DataFolder private constructor(
-    val databaseFile: Path,
+    val database: DatabasePlace,
     val logFile: Path,
     private val locks: List<FileChannel>,
 ) : AutoCloseable {
+    /** The file of a database that is in one. */
+    val databaseFile: Path get() = (database as SqliteFile).path
+
     /** Lets go of the locks; the system does so too when the process dies. */
     override fun close() = locks.forEach(FileChannel::close)
 
@@ -41,6 +44,8 @@ class DataFolder private constructor(
             used: Reason = Reason.USED,
         ): DataFolder {
             val whole = folder.absolute().normalize()
+            val address = url?.let { PostgresAddress.of(it) }
+            if (address != null) return beside(address, whole, used)
             if (url != null) refuseEarly(whole, url, used)
             make(whole)
             val data = folder.toRealPath()
@@ -57,7 +62,19 @@ class DataFolder private constructor(
                 locks.forEach(FileChannel::close)
                 throw CannotStart(Reason.WRITTEN, file.parent, file.fileName, why(failure))
             }
-            return DataFolder(file, data.resolve("server.log"), locks)
+            return DataFolder(SqliteFile(file), data.resolve("server.log"), locks)
+        }
+
+        /** The folder of a server whose database is on another, and which has to answer before anything is made here. */
+        private fun beside(
+            address: PostgresAddress,
+            folder: Path,
+            used: Reason,
+        ): DataFolder {
+            address.requireAnswer()
+            make(folder)
+            val data = folder.toRealPath()
+            return DataFolder(address, data.resolve("server.log"), listOf(lock(data.resolve("server.lock"), used)))
         }
 
         /**
@@ -68,10 +85,11 @@ class DataFolder private constructor(
         fun databaseOf(
             folder: Path,
             url: String?,
-        ): Path {
+        ): DatabasePlace {
+            url?.let { PostgresAddress.of(it) }?.let { return it }
             val file = fileIn(folder.absolute().normalize(), url)
             if (!file.isRegularFile()) throw CannotStart(Reason.NO_DATABASE, file)
-            return file
+            return SqliteFile(file)
         }
 
         /** Refuses a database that cannot be one, or that a server uses, while nothing is made yet. */

@@ -1,4 +1,4 @@
-// What lasts: the SQLite file, the folder that one server has to itself, ids, tokens and repeatable requests.
+// What lasts: the database, the folder that one server has to itself, ids, tokens and repeatable requests.
 package rasterlab.grader.storage
 
 import com.zaxxer.hikari.HikariConfig
@@ -11,18 +11,26 @@ import org.sqlite.SQLiteConfig
 import org.sqlite.SQLiteDataSource
 import java.nio.file.Files
 import java.nio.file.Path
+import java.sql.Connection
 import javax.sql.DataSource
 
 /**
- * One SQLite file: any number of readers, and one writer at a time.
+ * A database with any number of readers and one writer at a time, in one of two engines.
  *
- * Every write is an IMMEDIATE transaction on the one writing connection and is on the disk when
- * [write] returns (`synchronous=FULL`; see https://www.sqlite.org/pragma.html#pragma_synchronous).
+ * SQLite: each write is an IMMEDIATE transaction on the one writing connection of one process (`synchronous=FULL`; see
+ * https://www.sqlite.org/pragma.html#pragma_synchronous). PostgreSQL: each write first takes the one lock of the database
+ * that all writers of all processes take, and has it until its end, so that what holds for the one holds for the other.
+ * In both, what was written is on the disk when [write] returns.
+ *
+ * @param folder on the disk whose room counts
+ * @param alone ends when the database is closed, and keeps other servers away until then
  */
 class Database private constructor(
-    private val file: Path,
+    private val folder: Path,
     private val writer: HikariDataSource,
     private val reader: HikariDataSource,
+    private val firstInWrite: String? = null,
+    private val alone: AutoCloseable? = null,
 ) : AutoCloseable {
     private val writes = silentAboutValues(writer)
     private val reads = silentAboutValues(reader)
@@ -33,12 +41,16 @@ class Database private constructor(
     fun <T> read(work: (Handle) -> T): T = reads.withHandle<T, Exception> { work(it) }
 
     /** Commits when [work] returns, rolls back when it throws. */
-    fun <T> write(work: (Handle) -> T): T = writes.inTransaction<T, Exception> { work(it) }
+    fun <T> write(work: (Handle) -> T): T =
+        writes.inTransaction<T, Exception> { handle ->
+            firstInWrite?.let { handle.execute(it) }
+            work(handle)
+        }
 
     /** Whether the disk can still take a submission and its result. */
     fun hasRoom(): Boolean = freeBytes() >= LEAST_FREE_BYTES
 
-    fun freeBytes(): Long = Files.getFileStore(file).usableSpace
+    fun freeBytes(): Long = Files.getFileStore(folder).usableSpace
 
     /** Lets [registry] count and time how the connections are used from now on. */
     fun measure(registry: MeterRegistry) = listOf(writer, reader).forEach { it.metricRegistry = registry }
@@ -46,14 +58,18 @@ class Database private constructor(
     override fun close() {
         reader.close()
         writer.close()
+        alone?.close()
     }
 
     companion object {
         // A failed statement would otherwise repeat its values, sources and hashes of tokens among them, in the log.
         private fun silentAboutValues(source: DataSource) =
-            Jdbi.create(source).configure(StatementExceptions::class.java) {
-                it.messageRendering = StatementExceptions.MessageRendering.NONE
-            }
+            Jdbi
+                .create(source)
+                .registerArgument(TextWithoutNul)
+                .configure(StatementExceptions::class.java) {
+                    it.messageRendering = StatementExceptions.MessageRendering.NONE
+                }
 
         private const val LEAST_FREE_BYTES = 64L shl 20
         private const val READERS = 4
@@ -62,10 +78,18 @@ class Database private constructor(
         /** The pool takes no shorter time. */
         private const val LEAST_PATIENCE_MILLIS = 250L
 
+        /** The connection counts as lost when an answer takes longer, and the lock is free again when its holder is silent. */
+        private const val POSTGRES_SECONDS = 30
+
+        /** Numbers of two locks; any other programs in the database must not use them. */
+        private const val WRITE_LOCK = 7_271_001L
+        private const val SERVER_LOCK = 7_271_002L
+
         /**
          * Opens the file, creating or migrating its tables.
          *
          * @param busyMillis how long a statement waits for another process that has the database
+         * @throws NewerTables
          */
         fun open(
             file: Path,
@@ -73,20 +97,76 @@ class Database private constructor(
         ): Database {
             val source = source(file, busyMillis)
             Tables(source).migrate()
-            return Database(file, pool(source, busyMillis, writing = true), pool(source, busyMillis, writing = false))
+            val reading = listOf("PRAGMA query_only = ON")
+            return Database(
+                file.toAbsolutePath().parent,
+                pool("writer", source, 1, busyMillis),
+                pool("readers", source, READERS, busyMillis, reading),
+            )
         }
 
+        /**
+         * Connects to a PostgreSQL server, creating or migrating the tables.
+         *
+         * @param folder on this machine, where the server writes its log
+         * @param alone whether no other server may use the database
+         * @throws CannotStart if nobody answers there, or another server uses it
+         * @throws NewerTables
+         */
+        fun open(
+            address: PostgresAddress,
+            folder: Path,
+            alone: Boolean,
+        ): Database {
+            address.requireAnswer()
+            val lock = if (alone) soleServer(address) else null
+            // Large courses take their time to migrate.
+            Tables(address.source(patienceSeconds = 0)).migrate()
+            val source = address.source(POSTGRES_SECONDS)
+            val writing =
+                listOf(
+                    "SET synchronous_commit = on",
+                    "SET lock_timeout = ${2 * BUSY_MILLIS}",
+                    "SET idle_in_transaction_session_timeout = '${POSTGRES_SECONDS}s'",
+                )
+            val reading = listOf("SET SESSION CHARACTERISTICS AS TRANSACTION READ ONLY")
+            return Database(
+                folder,
+                pool("writer", source, 1, BUSY_MILLIS, writing),
+                pool("readers", source, READERS, BUSY_MILLIS, reading),
+                "SELECT pg_advisory_xact_lock($WRITE_LOCK)",
+                lock,
+            )
+        }
+
+        /** A connection that has the lock of the one server. */
+        private fun soleServer(address: PostgresAddress): Connection {
+            val connection = address.source(patienceSeconds = 0).connection
+            val taken =
+                connection.createStatement().use { statement ->
+                    statement.executeQuery("SELECT pg_try_advisory_lock($SERVER_LOCK)").use {
+                        it.next() && it.getBoolean(1)
+                    }
+                }
+            if (taken) return connection
+            connection.close()
+            throw CannotStart(CannotStart.Reason.USED, address)
+        }
+
+        /** @param first what each new connection does before all else */
         private fun pool(
+            name: String,
             source: DataSource,
+            size: Int,
             busyMillis: Int,
-            writing: Boolean,
+            first: List<String> = emptyList(),
         ) = HikariDataSource(
             HikariConfig().apply {
-                poolName = if (writing) "writer" else "readers"
+                poolName = name
                 dataSource = source
-                maximumPoolSize = if (writing) 1 else READERS
+                maximumPoolSize = size
                 connectionTimeout = maxOf(2L * busyMillis, LEAST_PATIENCE_MILLIS)
-                if (!writing) connectionInitSql = "PRAGMA query_only = ON"
+                if (first.isNotEmpty()) connectionInitSql = first.joinToString("; ")
             },
         )
 

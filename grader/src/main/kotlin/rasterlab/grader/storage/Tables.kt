@@ -2,8 +2,14 @@ package rasterlab.grader.storage
 
 import org.flywaydb.core.Flyway
 import org.flywaydb.core.api.FlywayException
+import org.flywaydb.core.api.MigrationState
 import java.sql.SQLException
 import javax.sql.DataSource
+
+/** The tables are those of a later program, which alone knows what they mean. */
+class NewerTables(
+    val version: String,
+) : Exception("tables of version $version")
 
 /** The tables of a database: as a server of any version left them, or none yet. */
 internal class Tables(
@@ -14,17 +20,24 @@ internal class Tables(
      * they come to; the ones after are the same for both, but for the names of some types.
      *
      * @param target the version to stop at
+     * @throws NewerTables
      */
     fun migrate(target: String = "latest") {
         val engine = engine()
-        Flyway
-            .configure()
-            .dataSource(source)
-            .locations("$SCRIPTS/$engine", "$SCRIPTS/shared")
-            .placeholders(checkNotNull(TYPES[engine]) { "no tables for $engine" })
-            .target(target)
-            .load()
-            .migrate()
+        val flyway =
+            Flyway
+                .configure()
+                .dataSource(source)
+                .locations("$SCRIPTS/$engine", "$SCRIPTS/shared")
+                .placeholders(checkNotNull(TYPES[engine]) { "no tables for $engine" })
+                .target(target)
+                .load()
+        flyway
+            .info()
+            .applied()
+            .lastOrNull { it.state == MigrationState.FUTURE_SUCCESS }
+            ?.let { throw NewerTables("${it.version}") }
+        flyway.migrate()
     }
 
     private fun engine(): String =

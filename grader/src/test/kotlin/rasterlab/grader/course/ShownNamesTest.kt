@@ -5,7 +5,7 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
-import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.InstantSource
 
@@ -18,7 +18,7 @@ class ShownNamesTest {
     @Test
     @DisplayName("two students of a course are shown under one name, or numbers go on from another course")
     fun noTwoAreShownUnderOneName() =
-        Database.open(folder.resolve("test.db")).use { database ->
+        TestDatabases.open(folder).use { database ->
             val courses = Courses(database, InstantSource.system())
             val instructor = Identity.Instructor("i")
             val names = listOf("Ada", "Ada", "Ada (2)", "Grace")

@@ -5,14 +5,14 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.catalogue.Catalogue
-import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
-class KeptExercisesTest {
+open class KeptExercisesTest {
     @TempDir
     lateinit var folder: Path
     private val id = "line-bresenham"
@@ -29,7 +29,7 @@ class KeptExercisesTest {
         val changed = own.resolve("exercise.json")
         changed.writeText(changed.readText().replaceFirst("\"en\": \"", "\"en\": \"Once more: "))
         val after = catalogue()
-        Database.open(folder.resolve("test.db")).use { database ->
+        TestDatabases.open(folder).use { database ->
             KeptExercises(database).run {
                 keep(before)
                 keep(after)

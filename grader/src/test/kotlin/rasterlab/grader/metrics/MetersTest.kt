@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.json
-import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import rasterlab.grader.submission.State
 import rasterlab.grader.submission.Submission
 import rasterlab.grader.text
@@ -19,7 +19,7 @@ import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource
 
-class MetersTest {
+open class MetersTest {
     @TempDir
     lateinit var folder: Path
 
@@ -61,7 +61,7 @@ class MetersTest {
     @DisplayName("children are not counted, or a wait is told of an attempt that is not the first")
     fun childrenAndFirstWaitsAreCounted() {
         val now = Instant.parse("2026-11-28T12:00:00Z")
-        Database.open(folder.resolve("test.db")).use { database ->
+        TestDatabases.open(folder).use { database ->
             val meters = Meters(database, { 3 }, InstantSource.fixed(now))
             meters.waited(submission(now.minusSeconds(7), tries = 1))
             meters.waited(submission(now.minusSeconds(50), tries = 2))

@@ -22,6 +22,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import rasterlab.grader.student.StudentRecords
 import rasterlab.grader.submission.AttemptOutcome
 import rasterlab.grader.submission.Attempts
@@ -41,7 +42,7 @@ import java.util.concurrent.TimeUnit.SECONDS
 
 /** Submissions are graded again behind new work, once each, and count all together or not at all. */
 @Tag("slow")
-class RegradesTest {
+open class RegradesTest {
     @TempDir
     lateinit var folder: Path
     private lateinit var database: Database
@@ -62,7 +63,7 @@ class RegradesTest {
     fun close() = database.close()
 
     private fun reopen() {
-        database = Database.open(folder.resolve("test.db"))
+        database = TestDatabases.open(folder)
         leases = Leases(database, Reports(database), clock, steady = clock)
     }
 

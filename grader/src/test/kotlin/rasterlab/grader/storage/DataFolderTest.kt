@@ -93,7 +93,7 @@ class DataFolderTest {
         val file = folder.resolve("file").apply { writeText("x") }
         refuses("is a file, expected a folder") { DataFolder.take(file, url = null) }
         refuses("is a file, expected a folder") { DataFolder.take(file.resolve("below"), url = null) }
-        refuses("PostgreSQL comes later") { DataFolder.take(folder, "postgresql://host/db") }
+        refuses("expected sqlite:FILE or postgresql:") { DataFolder.take(folder, "mysql://host/db") }
         refuses("plain file name") { DataFolder.take(folder, "sqlite::memory:") }
         refuses("there is no folder") { DataFolder.take(folder, "sqlite:$folder/none/x.db") }
         refuses("expected a file") { DataFolder.take(folder, "sqlite:$folder") }

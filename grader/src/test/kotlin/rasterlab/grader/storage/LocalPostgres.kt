@@ -11,6 +11,8 @@ import javax.sql.DataSource
 import kotlin.io.path.deleteRecursively
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
 
 /**
  * A PostgreSQL server of this machine's package, with nothing in it, for as long as it is not closed. It refuses to run
@@ -22,11 +24,7 @@ class LocalPostgres : AutoCloseable {
     private val folder = Files.createTempDirectory("postgres-of-a-test")
     private val port = ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use { it.localPort }
 
-    val source: DataSource =
-        PGSimpleDataSource().apply {
-            setURL("jdbc:postgresql://127.0.0.1:$port/postgres")
-            user = USER
-        }
+    val source: DataSource = source("postgres")
 
     init {
         if (asRoot) {
@@ -34,6 +32,40 @@ class LocalPostgres : AutoCloseable {
             Files.setOwner(folder, owner)
         }
         run("initdb", "-D", "$folder/data", "-U", USER, "--auth=trust", "-E", "UTF8", "--locale=C.UTF-8", "--no-sync")
+        val rights = folder.resolve("data/pg_hba.conf")
+        rights.writeText("host all \"$LOCKED_OUT\" 127.0.0.1/32 scram-sha-256\n" + rights.readText())
+        start()
+    }
+
+    /** The address of a database, which is made if it is not there yet. */
+    fun address(name: String): String {
+        source.connection.use { connection ->
+            connection.createStatement().use { statement ->
+                val isThere =
+                    statement
+                        .executeQuery(
+                            "SELECT 1 FROM pg_database WHERE datname = '$name'",
+                        ).use { it.next() }
+                if (!isThere) statement.execute("CREATE DATABASE \"$name\"")
+            }
+        }
+        return "postgresql://$USER@127.0.0.1:$port/$name"
+    }
+
+    fun source(name: String): DataSource =
+        PGSimpleDataSource().apply {
+            setURL("jdbc:postgresql://127.0.0.1:$port/$name")
+            user = USER
+        }
+
+    /** Ends all connections at once, and starts again after [meanwhile]. */
+    fun restart(meanwhile: () -> Unit) {
+        run("pg_ctl", "-D", "$folder/data", "-m", "immediate", "-w", "stop")
+        meanwhile()
+        start()
+    }
+
+    private fun start() {
         val options = "-p $port -k $folder -c listen_addresses=127.0.0.1 -c fsync=off"
         run("pg_ctl", "-D", "$folder/data", "-o", options, "-l", "$folder/log", "-w", "start")
     }
@@ -64,10 +96,13 @@ class LocalPostgres : AutoCloseable {
         }
     }
 
-    private companion object {
-        const val USER = "rasterlab"
+    companion object {
+        /** A user who needs a password; there is none by this name. */
+        const val LOCKED_OUT = "locked-out"
 
-        fun requirePrograms(): Path {
+        private const val USER = "rasterlab"
+
+        private fun requirePrograms(): Path {
             val versions = Path.of("/usr/lib/postgresql")
             val found =
                 if (versions.exists()) {

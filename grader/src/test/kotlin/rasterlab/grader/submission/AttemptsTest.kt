@@ -18,6 +18,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
@@ -25,7 +26,7 @@ import java.time.InstantSource
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit.SECONDS
 
-class AttemptsTest {
+open class AttemptsTest {
     @TempDir
     lateinit var folder: Path
     private lateinit var database: Database
@@ -40,7 +41,7 @@ class AttemptsTest {
 
     @BeforeEach
     fun open() {
-        database = Database.open(folder.resolve("test.db"))
+        database = TestDatabases.open(folder)
         reports = Reports(database)
         leases = Leases(database, reports, clock, steady = clock)
         submissions = Submissions(database)

@@ -19,6 +19,7 @@ import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource
@@ -28,7 +29,7 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit.SECONDS
 
 /** A speed that a busy machine did not let be measured is measured again when the queue is empty. */
-class MeasurementsTest {
+open class MeasurementsTest {
     @TempDir
     lateinit var folder: Path
     private lateinit var database: Database
@@ -53,7 +54,7 @@ class MeasurementsTest {
 
     @BeforeEach
     fun open() {
-        database = Database.open(folder.resolve("test.db"))
+        database = TestDatabases.open(folder)
         reports = Reports(database)
         leases = Leases(database, reports, clock, steady = clock)
         students = ClassOfStudents(database, clock)

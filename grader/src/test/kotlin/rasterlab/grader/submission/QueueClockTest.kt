@@ -15,6 +15,7 @@ import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
@@ -37,7 +38,7 @@ class QueueClockTest {
     fun gradesOn(hours: Long) {
         val graded = CountDownLatch(3)
         val rung = CountDownLatch(1)
-        Database.open(folder.resolve("test.db")).use { database ->
+        TestDatabases.open(folder).use { database ->
             var calls = 0
             val students = ClassOfStudents(database, clock)
             val ada = students.student("Ada")
@@ -59,7 +60,7 @@ class QueueClockTest {
     @Test
     @DisplayName("a clock that is set back shuts out who handed in before")
     fun handingInIsNotTooFastForBeingInTheFuture() {
-        Database.open(folder.resolve("test.db")).use { database ->
+        TestDatabases.open(folder).use { database ->
             val students = ClassOfStudents(database, clock)
             val ada = students.student("Ada")
             val lease = Leases(database, Reports(database), clock, SteadyClock(clock))

@@ -13,6 +13,7 @@ import rasterlab.exercises.Grading
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource
@@ -57,7 +58,7 @@ class QueueStopTest {
     }
 
     private fun stopInTheSweep() {
-        val database = Database.open(folder.resolve("test.db"))
+        val database = TestDatabases.open(folder)
         val queue = queue(database)
         queue.start()
         val sweep = held.get(60, SECONDS)

@@ -29,6 +29,7 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
@@ -38,7 +39,7 @@ import java.util.function.Supplier
 
 /** A report comes back as it was written; no two values are equal, so a column taken for another is seen. */
 @Tag("slow")
-class ReportsTest {
+open class ReportsTest {
     @TempDir
     lateinit var folder: Path
     private lateinit var database: Database
@@ -47,7 +48,7 @@ class ReportsTest {
 
     @BeforeEach
     fun open() {
-        database = Database.open(folder.resolve("test.db"))
+        database = TestDatabases.open(folder)
     }
 
     @AfterEach

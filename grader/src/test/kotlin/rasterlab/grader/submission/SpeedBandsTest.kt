@@ -7,11 +7,11 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.runner.SpeedMemory
 import rasterlab.exercises.score.SpeedPoints
 import rasterlab.grader.Classroom
-import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.util.OptionalInt
 
-class SpeedBandsTest {
+open class SpeedBandsTest {
     @TempDir
     lateinit var folder: Path
     private val key = SpeedMemory.key(Classroom.EXERCISE, "class Dot {}")
@@ -41,5 +41,5 @@ class SpeedBandsTest {
             assertEquals(OptionalInt.empty(), it.band(SpeedMemory.key(Classroom.EXERCISE, "class Dot { }")))
         }
 
-    private fun opened(use: (SpeedBands) -> Unit) = Database.open(folder.resolve("test.db")).use { use(SpeedBands(it)) }
+    private fun opened(use: (SpeedBands) -> Unit) = TestDatabases.open(folder).use { use(SpeedBands(it)) }
 }

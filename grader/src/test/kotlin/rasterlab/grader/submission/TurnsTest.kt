@@ -11,13 +11,14 @@ import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
 import java.time.InstantSource
 
 /** Turns go round by student, and each round in the order of handing in. */
-class TurnsTest {
+open class TurnsTest {
     @TempDir
     lateinit var folder: Path
     private lateinit var database: Database
@@ -29,7 +30,7 @@ class TurnsTest {
 
     @BeforeEach
     fun open() {
-        database = Database.open(folder.resolve("test.db"))
+        database = TestDatabases.open(folder)
         leases = Leases(database, Reports(database), clock, steady = clock)
         students = ClassOfStudents(database, clock)
     }

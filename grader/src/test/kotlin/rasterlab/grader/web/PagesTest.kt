@@ -32,7 +32,7 @@ import java.util.Properties
 import java.util.concurrent.CountDownLatch
 
 @Tag("slow")
-class PagesTest {
+open class PagesTest {
     @TempDir
     lateinit var folder: Path
 

@@ -86,8 +86,12 @@ class RefusedStartTest {
                         List.of("--port", "0", "--exercises", "none")),
                 argumentSet(
                         "a database of another kind is taken",
-                        "--db postgresql://host/db: only sqlite:FILE",
-                        List.of("--port", "0", "--db", "postgresql://host/db")));
+                        "--db mysql://host/db: expected sqlite:FILE or postgresql:",
+                        List.of("--port", "0", "--db", "mysql://host/db")),
+                argumentSet(
+                        "a database that does not answer leaves a folder",
+                        "postgresql://u@no.such.host.invalid:5432/db: no PostgreSQL server answers",
+                        List.of("--port", "0", "--db", "postgresql://u:hush@no.such.host.invalid/db")));
     }
 
     @Test

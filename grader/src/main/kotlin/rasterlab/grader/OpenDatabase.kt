@@ -1,0 +1,33 @@
+package rasterlab.grader
+
+import rasterlab.grader.storage.CannotStart
+import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.DatabasePlace
+import rasterlab.grader.storage.NewerTables
+import rasterlab.grader.storage.PostgresAddress
+import rasterlab.grader.storage.SqliteFile
+import java.nio.file.Path
+
+/**
+ * Opens the database of a server.
+ *
+ * @param folder the server's data folder
+ * @param alone whether no other server may use it
+ * @throws CannotStart with the reason that lies deepest, as those above it say only that opening failed
+ */
+internal fun openDatabase(
+    place: DatabasePlace,
+    folder: Path,
+    alone: Boolean = false,
+): Database =
+    try {
+        when (place) {
+            is SqliteFile -> Database.open(place.path)
+            is PostgresAddress -> Database.open(place, folder, alone)
+        }
+    } catch (newer: NewerTables) {
+        throw CannotStart(Reason.DB_NEWER, place, newer.version, cause = newer)
+    } catch (failure: RuntimeException) {
+        throw CannotStart(Reason.DATABASE, place, failure.reason(), cause = failure)
+    }

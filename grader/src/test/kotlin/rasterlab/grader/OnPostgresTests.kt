@@ -1,0 +1,42 @@
+package rasterlab.grader
+
+import rasterlab.grader.exercise.KeptExercisesTest
+import rasterlab.grader.metrics.MetersTest
+import rasterlab.grader.regrade.RegradesTest
+import rasterlab.grader.storage.OnPostgres
+import rasterlab.grader.submission.AttemptsTest
+import rasterlab.grader.submission.MeasurementsTest
+import rasterlab.grader.submission.ReportsTest
+import rasterlab.grader.submission.SpeedBandsTest
+import rasterlab.grader.submission.TurnsTest
+import rasterlab.grader.web.PagesTest
+
+// The tests whose statements are the most different from each other, once more, in the other engine.
+
+@OnPostgres
+class AttemptsOnPostgresTest : AttemptsTest()
+
+@OnPostgres
+class KeptExercisesOnPostgresTest : KeptExercisesTest()
+
+@OnPostgres
+class MeasurementsOnPostgresTest : MeasurementsTest()
+
+@OnPostgres
+class MetersOnPostgresTest : MetersTest()
+
+/** Students join, hand in, are graded, and see the page of it. */
+@OnPostgres
+class PagesOnPostgresTest : PagesTest()
+
+@OnPostgres
+class RegradesOnPostgresTest : RegradesTest()
+
+@OnPostgres
+class ReportsOnPostgresTest : ReportsTest()
+
+@OnPostgres
+class SpeedBandsOnPostgresTest : SpeedBandsTest()
+
+@OnPostgres
+class TurnsOnPostgresTest : TurnsTest()
