@@ -21,7 +21,7 @@ class SaveNamesTest {
         String study = Texts.of("study", language).label("save");
         for (String name : List.of(scene, study))
             assertTrue(name.matches("(Save|Сохранить) \\p{L}{4,}…"), name);
-        assertTrue(picture.matches("Save picture…|PNG/SVG в файл…"), picture);
+        assertTrue(picture.matches("Save picture…|Сохранить PNG/SVG…"), picture);
         assertEquals(3, new HashSet<>(List.of(picture, scene, study)).size());
         assertEquals(scene, Texts.of("visibility", language).label("save"));
     }
