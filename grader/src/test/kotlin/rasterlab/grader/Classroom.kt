@@ -36,8 +36,8 @@ import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.edge.DoorLimits
 import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.TestDatabases
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.nio.file.Path

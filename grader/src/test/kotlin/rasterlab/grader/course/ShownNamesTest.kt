@@ -5,7 +5,7 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
-import rasterlab.grader.storage.TestDatabases
+import rasterlab.grader.postgres.TestDatabases
 import java.nio.file.Path
 import java.time.InstantSource
 

@@ -5,7 +5,7 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.catalogue.Catalogue
-import rasterlab.grader.storage.TestDatabases
+import rasterlab.grader.postgres.TestDatabases
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.readText

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.json
-import rasterlab.grader.storage.TestDatabases
+import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.submission.State
 import rasterlab.grader.submission.Submission
 import rasterlab.grader.text

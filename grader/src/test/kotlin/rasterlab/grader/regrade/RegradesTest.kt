@@ -20,9 +20,9 @@ import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.TestDatabases
 import rasterlab.grader.student.StudentRecords
 import rasterlab.grader.submission.AttemptOutcome
 import rasterlab.grader.submission.Attempts

@@ -15,6 +15,8 @@ import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.json
+import rasterlab.grader.postgres.OnPostgres
+import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.text
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.minutes

@@ -7,6 +7,9 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.grader.postgres.LocalPostgres
+import rasterlab.grader.postgres.OnPostgres
+import rasterlab.grader.postgres.TestDatabases
 import java.net.InetAddress
 import java.net.ServerSocket
 import java.nio.file.Path

@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 import org.sqlite.SQLiteConfig
 import org.sqlite.SQLiteDataSource
+import rasterlab.grader.postgres.LocalPostgres
 import rasterlab.grader.submission.Submissions
 import java.nio.file.Path
 import javax.sql.DataSource

@@ -18,8 +18,8 @@ import rasterlab.exercises.score.SpeedPoints
 import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource

@@ -12,8 +12,8 @@ import org.slf4j.LoggerFactory
 import rasterlab.exercises.Grading
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource

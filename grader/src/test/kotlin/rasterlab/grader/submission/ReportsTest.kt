@@ -28,8 +28,8 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
+import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.TestDatabases
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant

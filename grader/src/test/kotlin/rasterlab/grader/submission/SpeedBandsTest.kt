@@ -7,7 +7,7 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.runner.SpeedMemory
 import rasterlab.exercises.score.SpeedPoints
 import rasterlab.grader.Classroom
-import rasterlab.grader.storage.TestDatabases
+import rasterlab.grader.postgres.TestDatabases
 import java.nio.file.Path
 import java.util.OptionalInt
 

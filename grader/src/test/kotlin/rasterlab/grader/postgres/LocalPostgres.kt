@@ -1,4 +1,4 @@
-package rasterlab.grader.storage
+package rasterlab.grader.postgres
 
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.postgresql.ds.PGSimpleDataSource

@@ -1,9 +1,9 @@
-package rasterlab.grader
+package rasterlab.grader.storage
 
 import rasterlab.grader.exercise.KeptExercisesTest
 import rasterlab.grader.metrics.MetersTest
+import rasterlab.grader.postgres.OnPostgres
 import rasterlab.grader.regrade.RegradesTest
-import rasterlab.grader.storage.OnPostgres
 import rasterlab.grader.submission.AttemptsTest
 import rasterlab.grader.submission.MeasurementsTest
 import rasterlab.grader.submission.ReportsTest

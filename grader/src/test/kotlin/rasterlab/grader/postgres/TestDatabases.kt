@@ -1,9 +1,11 @@
-package rasterlab.grader.storage
+package rasterlab.grader.postgres
 
 import org.junit.jupiter.api.extension.AfterAllCallback
 import org.junit.jupiter.api.extension.BeforeAllCallback
 import org.junit.jupiter.api.extension.ExtendWith
 import org.junit.jupiter.api.extension.ExtensionContext
+import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.PostgresAddress
 import java.nio.file.Path
 
 /** Runs the tests of a class on databases of a PostgreSQL server instead of files. */
