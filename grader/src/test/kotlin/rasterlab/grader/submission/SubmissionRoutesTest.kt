@@ -200,6 +200,7 @@ class SubmissionRoutesTest {
                 "gradedAt",
                 "deadline",
                 "late",
+                "penalty",
                 "opened",
             )
         val CASE_FIELDS =
