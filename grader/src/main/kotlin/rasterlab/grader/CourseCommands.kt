@@ -16,7 +16,7 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.report.Grades
 import rasterlab.grader.report.GradesReader
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.Database
 import rasterlab.grader.submission.Marks
 import java.io.IOException
@@ -56,7 +56,7 @@ internal class CourseOptions {
     /** Runs [work] with the database and the course in it. */
     fun <T> open(work: (Database, Courses) -> T): T = of.open().use { work(it, Courses(it, InstantSource.system())) }
 
-    fun unknown() = CannotStart(Reason.NO_COURSE, course)
+    fun unknown() = CannotStart(StartFailure.NO_COURSE, course)
 }
 
 /** The exercises of a server. */
@@ -74,7 +74,7 @@ internal class CatalogueOptions {
             val builtIn = Catalogue.builtIn()
             exercises?.let(builtIn::withFolder) ?: builtIn
         } catch (failure: CatalogueException) {
-            throw CannotStart(Reason.EXERCISES, failure)
+            throw CannotStart(StartFailure.EXERCISES, failure)
         }
 }
 
@@ -140,7 +140,7 @@ internal class CourseRosterCommand(
         try {
             Files.readAllBytes(file)
         } catch (failure: IOException) {
-            throw CannotStart(Reason.ROSTER_FILE, file, cause = failure)
+            throw CannotStart(StartFailure.ROSTER_FILE, file, cause = failure)
         }
 
     private fun print(change: RosterChange) {

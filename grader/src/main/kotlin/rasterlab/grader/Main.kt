@@ -9,7 +9,7 @@ import picocli.CommandLine.Spec
 import rasterlab.engine.ProductVersion
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.web.PageTexts
 import java.io.OutputStreamWriter
 import java.io.PrintStream
@@ -89,17 +89,17 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
                 }
 
                 is Rejection.UnknownStaff -> {
-                    refuse(command, CannotStart(Reason.NO_STAFF, failure.id).said(words.language))
+                    refuse(command, CannotStart(StartFailure.NO_STAFF, failure.id).said(words.language))
                 }
 
                 is Rejection.LastInstructor -> {
-                    refuse(command, CannotStart(Reason.LAST_INSTRUCTOR).said(words.language))
+                    refuse(command, CannotStart(StartFailure.LAST_INSTRUCTOR).said(words.language))
                 }
 
                 is Rejection.UnknownStudent -> {
                     refuse(
                         command,
-                        CannotStart(Reason.NO_STUDENT, failure.id).said(words.language),
+                        CannotStart(StartFailure.NO_STUDENT, failure.id).said(words.language),
                     )
                 }
 

@@ -9,7 +9,7 @@ import picocli.CommandLine.Spec
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.storage.Backups
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.PostgresAddress
@@ -45,7 +45,7 @@ internal class DataOptions {
 
     /** @throws CannotStart where the database is in no file, which has backups of another kind */
     fun requireFile() {
-        db?.let { PostgresAddress.of(it) }?.let { throw CannotStart(Reason.BACKUP_POSTGRES, it) }
+        db?.let { PostgresAddress.of(it) }?.let { throw CannotStart(StartFailure.BACKUP_POSTGRES, it) }
     }
 }
 
@@ -97,7 +97,7 @@ internal class RestoreCommand(
     override fun call(): Int {
         of.requireFile()
         Backups.refuseUnlessWhole(file)
-        DataFolder.take(of.data, of.db, Reason.USED_RESTORE).use { folder ->
+        DataFolder.take(of.data, of.db, StartFailure.USED_RESTORE).use { folder ->
             val former = Backups.restore(file, folder.databaseFile)
             val out = spec.commandLine().out
             out.println(oneLine(words.say("restored", "${folder.databaseFile}", "$file")))
@@ -137,9 +137,10 @@ internal class TokenCommand : Callable<Int> {
             val accounts = Accounts(database, InstantSource.system())
             val token =
                 if (who == INSTRUCTOR) {
-                    accounts.renewInstructor() ?: throw CannotStart(Reason.NO_INSTRUCTOR, place)
+                    accounts.renewInstructor() ?: throw CannotStart(StartFailure.NO_INSTRUCTOR, place)
                 } else {
-                    accounts.renewStudent(who, by = "command", key = null) ?: throw CannotStart(Reason.NO_STUDENT, who)
+                    accounts.renewStudent(who, by = "command", key = null)
+                        ?: throw CannotStart(StartFailure.NO_STUDENT, who)
                 }
             spec.commandLine().out.println("${if (who == INSTRUCTOR) who else "student"} token: $token")
         }

@@ -1,7 +1,7 @@
 package rasterlab.grader
 
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.DatabasePlace
 import rasterlab.grader.storage.NewerTables
@@ -27,7 +27,7 @@ internal fun openDatabase(
             is PostgresAddress -> Database.open(place, folder, alone)
         }
     } catch (newer: NewerTables) {
-        throw CannotStart(Reason.DB_NEWER, place, newer.version, cause = newer)
+        throw CannotStart(StartFailure.DB_NEWER, place, newer.version, cause = newer)
     } catch (failure: RuntimeException) {
-        throw CannotStart(Reason.DATABASE, place, failure.reason(), cause = failure)
+        throw CannotStart(StartFailure.DATABASE, place, failure.reason(), cause = failure)
     }

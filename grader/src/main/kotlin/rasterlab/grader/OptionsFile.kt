@@ -7,7 +7,7 @@ import com.fasterxml.jackson.dataformat.yaml.YAMLFactory
 import picocli.CommandLine
 import picocli.CommandLine.Model.OptionSpec
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -15,10 +15,10 @@ import java.nio.file.Path
 /** Settings in YAML, one a line: the name of an option without its dashes, and its value. */
 internal class OptionsFile private constructor(
     private val file: Path,
-    private val settings: List<Setting>,
+    private val settings: List<FileSetting>,
 ) {
     /** @param value a text, a whole number, true or false, as the file has it */
-    class Setting(
+    class FileSetting(
         val name: String,
         val value: Any,
         val line: Int,
@@ -35,7 +35,7 @@ internal class OptionsFile private constructor(
             val option =
                 options[setting.name]
                     ?: throw CannotStart(
-                        Reason.CONFIG_KEY,
+                        StartFailure.CONFIG_KEY,
                         file,
                         setting.line,
                         setting.name,
@@ -53,17 +53,18 @@ internal class OptionsFile private constructor(
 
     private fun valueFor(
         option: OptionSpec,
-        setting: Setting,
+        setting: FileSetting,
     ): Any {
         val value = setting.value
         val text = (value as? String)?.takeUnless { it.isEmpty() || '\u0000' in it }
 
-        fun refuse(expected: Reason): Nothing = throw CannotStart(expected, file, setting.line, setting.name, value)
+        fun refuse(expected: StartFailure): Nothing =
+            throw CannotStart(expected, file, setting.line, setting.name, value)
         return when (option.type()) {
-            Boolean::class.java -> value as? Boolean ?: refuse(Reason.CONFIG_TRUTH)
-            Int::class.java -> (value as? Long)?.toIntOrNull() ?: refuse(Reason.CONFIG_NUMBER)
-            Path::class.java -> text?.let(Path::of) ?: refuse(Reason.CONFIG_TEXT)
-            else -> text ?: refuse(Reason.CONFIG_TEXT)
+            Boolean::class.java -> value as? Boolean ?: refuse(StartFailure.CONFIG_TRUTH)
+            Int::class.java -> (value as? Long)?.toIntOrNull() ?: refuse(StartFailure.CONFIG_NUMBER)
+            Path::class.java -> text?.let(Path::of) ?: refuse(StartFailure.CONFIG_TEXT)
+            else -> text ?: refuse(StartFailure.CONFIG_TEXT)
         }
     }
 
@@ -77,14 +78,14 @@ internal class OptionsFile private constructor(
 
         /** @throws CannotStart with the line of what is wrong */
         fun read(file: Path): OptionsFile {
-            if (!Files.isRegularFile(file)) throw CannotStart(Reason.CONFIG_NONE, file)
+            if (!Files.isRegularFile(file)) throw CannotStart(StartFailure.CONFIG_NONE, file)
             try {
-                if (Files.size(file) > MOST_BYTES) throw CannotStart(Reason.CONFIG_LONG, file, MOST_BYTES)
+                if (Files.size(file) > MOST_BYTES) throw CannotStart(StartFailure.CONFIG_LONG, file, MOST_BYTES)
                 return YAMLFactory().createParser(Files.readString(file)).use { OptionsFile(file, settings(file, it)) }
             } catch (failure: JsonProcessingException) {
                 val line = maxOf(failure.location?.lineNr ?: 1, 1)
                 throw CannotStart(
-                    Reason.CONFIG_YAML,
+                    StartFailure.CONFIG_YAML,
                     file,
                     line,
                     failure.originalMessage
@@ -94,22 +95,22 @@ internal class OptionsFile private constructor(
                     cause = failure,
                 )
             } catch (failure: IOException) {
-                throw CannotStart(Reason.CONFIG_UNREADABLE, file, failure.reason(), cause = failure)
+                throw CannotStart(StartFailure.CONFIG_UNREADABLE, file, failure.reason(), cause = failure)
             }
         }
 
         private fun settings(
             file: Path,
             parser: JsonParser,
-        ): List<Setting> {
-            val settings = mutableListOf<Setting>()
+        ): List<FileSetting> {
+            val settings = mutableListOf<FileSetting>()
             val first = parser.nextToken() ?: return settings
-            if (first != JsonToken.START_OBJECT) throw CannotStart(Reason.CONFIG_SHAPE, file, parser.line())
+            if (first != JsonToken.START_OBJECT) throw CannotStart(StartFailure.CONFIG_SHAPE, file, parser.line())
             while (parser.nextToken() == JsonToken.FIELD_NAME) {
                 val name = parser.currentName()
                 val line = parser.line()
-                if (settings.any { it.name == name }) throw CannotStart(Reason.CONFIG_TWICE, file, line, name)
-                settings += Setting(name, value(parser.nextToken(), parser, file), line)
+                if (settings.any { it.name == name }) throw CannotStart(StartFailure.CONFIG_TWICE, file, line, name)
+                settings += FileSetting(name, value(parser.nextToken(), parser, file), line)
             }
             return settings
         }
@@ -124,7 +125,7 @@ internal class OptionsFile private constructor(
                 JsonToken.VALUE_TRUE, JsonToken.VALUE_FALSE -> token == JsonToken.VALUE_TRUE
                 JsonToken.VALUE_NUMBER_INT -> parser.text.toLongOrNull() ?: parser.text
                 JsonToken.VALUE_NUMBER_FLOAT -> parser.decimalValue
-                else -> throw CannotStart(Reason.CONFIG_SHAPE, file, parser.line())
+                else -> throw CannotStart(StartFailure.CONFIG_SHAPE, file, parser.line())
             }
 
         private fun JsonParser.line() = currentTokenLocation().lineNr

@@ -15,7 +15,7 @@ import rasterlab.grader.regrade.RegradeChoice
 import rasterlab.grader.regrade.RegradeState
 import rasterlab.grader.regrade.Regrades
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.text
 import java.time.InstantSource
 import java.util.concurrent.Callable
@@ -94,7 +94,7 @@ private class RegradeStartCommand : Callable<Int> {
                     .read()
                     .all()
                     .firstOrNull { it.id() == exercise.exercise }
-                    ?: throw CannotStart(Reason.NO_EXERCISE, exercise.exercise)
+                    ?: throw CannotStart(StartFailure.NO_EXERCISE, exercise.exercise)
             val choice = if (submissions.isEmpty()) RegradeChoice.named(of) else RegradeChoice.SOME
             val regrades = Regrades(database, InstantSource.system())
             val begun = regrades.start(course, known, choice, submissions, dry, by = "command", key = null)

@@ -14,7 +14,7 @@ import rasterlab.grader.rules.RuleChange
 import rasterlab.grader.rules.RuleField
 import rasterlab.grader.rules.named
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.text
 import java.time.InstantSource
 import java.util.concurrent.Callable
@@ -38,7 +38,7 @@ internal class ExerciseOptions {
     /** The name, where there is such an exercise. */
     fun known(): String =
         exercise.takeIf { name -> catalogue.read().all().any { it.id() == name } }
-            ?: throw CannotStart(Reason.NO_EXERCISE, exercise)
+            ?: throw CannotStart(StartFailure.NO_EXERCISE, exercise)
 }
 
 @Command(

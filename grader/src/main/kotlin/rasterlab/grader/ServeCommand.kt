@@ -17,7 +17,7 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.KeptExercises
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.SpeedBands
@@ -182,9 +182,9 @@ internal class ServeCommand(
 
     override fun call(): Int {
         config?.let { OptionsFile.read(it).applyTo(spec.commandLine()) }
-        if (port !in 0..LAST_PORT) throw CannotStart(Reason.PORT, port, LAST_PORT)
-        if (workers !in 1..MOST_WORKERS) throw CannotStart(Reason.WORKERS, workers, MOST_WORKERS)
-        if (heap !in LEAST_HEAP..MOST_HEAP) throw CannotStart(Reason.HEAP, heap, LEAST_HEAP, MOST_HEAP)
+        if (port !in 0..LAST_PORT) throw CannotStart(StartFailure.PORT, port, LAST_PORT)
+        if (workers !in 1..MOST_WORKERS) throw CannotStart(StartFailure.WORKERS, workers, MOST_WORKERS)
+        if (heap !in LEAST_HEAP..MOST_HEAP) throw CannotStart(StartFailure.HEAP, heap, LEAST_HEAP, MOST_HEAP)
         requireLimits()
         tellOtherHeap()
         val proxies = proxies()
@@ -199,7 +199,7 @@ internal class ServeCommand(
     /** Refuses before anything is made: a refused start leaves no folder behind. */
     private fun refuseExamsWithoutIsolation() {
         val isolation = Judge.start(JudgeSettings.defaults()).use { it.isolation() }
-        if (!isolation.exam()) throw CannotStart(Reason.EXAM, isolation.missingForExams())
+        if (!isolation.exam()) throw CannotStart(StartFailure.EXAM, isolation.missingForExams())
     }
 
     private fun requireLimits() =
@@ -208,7 +208,7 @@ internal class ServeCommand(
             "submissions-per-minute" to submissionsPerMinute,
             "waiting" to waiting,
         ).forEach { (name, limit) ->
-            if (limit !in 1..MOST_A_MINUTE) throw CannotStart(Reason.LIMIT, name, limit, MOST_A_MINUTE)
+            if (limit !in 1..MOST_A_MINUTE) throw CannotStart(StartFailure.LIMIT, name, limit, MOST_A_MINUTE)
         }
 
     private fun settings(
@@ -277,10 +277,10 @@ internal class ServeCommand(
     }
 
     private fun proxies(): Set<InetAddress> =
-        proxy?.let { Forwarding.proxies(it) ?: throw CannotStart(Reason.PROXY, it) }.orEmpty()
+        proxy?.let { Forwarding.proxies(it) ?: throw CannotStart(StartFailure.PROXY, it) }.orEmpty()
 
     private fun encryption(): SSLContext? {
-        if ((tlsCert == null) != (tlsKey == null)) throw CannotStart(Reason.TLS_PAIR)
+        if ((tlsCert == null) != (tlsKey == null)) throw CannotStart(StartFailure.TLS_PAIR)
         val certificate = tlsCert ?: return null
         val key = tlsKey ?: return null
         return OwnCertificate.read(certificate, key, InstantSource.system()).encryption()
@@ -291,7 +291,7 @@ internal class ServeCommand(
             try {
                 InetSocketAddress(InetAddress.getByName(host), port)
             } catch (failure: UnknownHostException) {
-                throw CannotStart(Reason.HOST, host)
+                throw CannotStart(StartFailure.HOST, host)
             }
         // The engine reports a port that is taken from another thread, and late; asking first gives a clear line.
         try {
@@ -302,10 +302,10 @@ internal class ServeCommand(
         } catch (failure: IOException) {
             val why = failure.message.orEmpty()
             throw when {
-                why.startsWith("Address already in use") -> CannotStart(Reason.TAKEN, host, port)
-                why.startsWith("Cannot assign requested address") -> CannotStart(Reason.UNASSIGNED, host, port)
-                why.startsWith("Permission denied") -> CannotStart(Reason.FORBIDDEN, host, port)
-                else -> CannotStart(Reason.LISTEN, host, port, why)
+                why.startsWith("Address already in use") -> CannotStart(StartFailure.TAKEN, host, port)
+                why.startsWith("Cannot assign requested address") -> CannotStart(StartFailure.UNASSIGNED, host, port)
+                why.startsWith("Permission denied") -> CannotStart(StartFailure.FORBIDDEN, host, port)
+                else -> CannotStart(StartFailure.LISTEN, host, port, why)
             }
         }
         return address
@@ -321,7 +321,7 @@ internal class ServeCommand(
                 .forEach { spec.commandLine().err.println(oneLine(it)) }
             return all
         } catch (failure: CatalogueException) {
-            throw CannotStart(Reason.EXERCISES, failure)
+            throw CannotStart(StartFailure.EXERCISES, failure)
         }
     }
 

@@ -20,14 +20,14 @@ class ClassOfStudents(
     private val intake = Intake(database, IntakeLimits(), clock)
     private val course = courses.create(Identity.Instructor("i"), Name.of("Graphics"), key = null)
 
-    fun student(name: String): Identity.Student {
+    fun student(name: String): Identity.StudentIdentity {
         val token = courses.join(course.code, Name.of(name), key = null).token
-        return Accounts(database, clock).holder(token) as Identity.Student
+        return Accounts(database, clock).holder(token) as Identity.StudentIdentity
     }
 
     /** Hands [source] in and returns the submission's id. */
     fun handIn(
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         source: String = "class Dot {}",
     ): String = intake.accept(student, exercise, source, key = null).id
 }

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 import rasterlab.exercises.score.Message
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.storage.SqliteFile
 import java.io.PrintWriter
@@ -199,7 +199,7 @@ class RussianCommandTest {
     @Test
     fun `a word in the language of who starts is written to the log`() {
         val isolation = Message.of("isolation.plain")
-        val refused = CannotStart(Reason.EXAM, isolation)
+        val refused = CannotStart(StartFailure.EXAM, isolation)
         assertTrue(refused.message.startsWith("--exam: the server does not start, because layers"), refused.message)
         assertTrue(refused.message.endsWith(": ${isolation.`in`("en")}"), refused.message)
         assertTrue(refused.said(RUSSIAN).endsWith(": ${isolation.`in`("ru")}"), refused.said(RUSSIAN))
@@ -208,7 +208,7 @@ class RussianCommandTest {
 
     @Test
     fun `a reason has no words, or words are read by nobody`() {
-        assertEquals(Reason.entries.map { it.key }.toSet(), keys("storage/reasons.properties"))
+        assertEquals(StartFailure.entries.map { it.key }.toSet(), keys("storage/reasons.properties"))
     }
 
     private fun StringWriter.lines() = toString().trim().lines()

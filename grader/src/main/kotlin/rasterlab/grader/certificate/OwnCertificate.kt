@@ -2,7 +2,7 @@
 package rasterlab.grader.certificate
 
 import rasterlab.grader.storage.CannotStart
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -61,25 +61,25 @@ class OwnCertificate private constructor(
                 blocks(
                     certificate,
                 ).filter { it.first == CERTIFICATE }.map { certificate(certificate, it.second) }
-            val own = chain.firstOrNull() ?: throw CannotStart(Reason.TLS_CERTIFICATE, certificate)
+            val own = chain.firstOrNull() ?: throw CannotStart(StartFailure.TLS_CERTIFICATE, certificate)
             val now = clock.instant()
             val from = own.notBefore.toInstant()
             val until = own.notAfter.toInstant()
-            if (now < from) throw CannotStart(Reason.TLS_EARLY, certificate, from)
-            if (now > until) throw CannotStart(Reason.TLS_EXPIRED, certificate, until)
+            if (now < from) throw CannotStart(StartFailure.TLS_EARLY, certificate, from)
+            if (now > until) throw CannotStart(StartFailure.TLS_EXPIRED, certificate, until)
             val secret = privateKey(key, own.publicKey.algorithm)
-            if (!fit(own.publicKey, secret)) throw CannotStart(Reason.TLS_MISMATCH, key, certificate)
+            if (!fit(own.publicKey, secret)) throw CannotStart(StartFailure.TLS_MISMATCH, key, certificate)
             return OwnCertificate(chain, secret)
         }
 
         /** The blocks of a file in PEM, each with its label. */
         private fun blocks(file: Path): List<Pair<String, String>> {
             try {
-                if (Files.size(file) > MOST_BYTES) throw CannotStart(Reason.TLS_FILE, file, "> $MOST_BYTES bytes")
+                if (Files.size(file) > MOST_BYTES) throw CannotStart(StartFailure.TLS_FILE, file, "> $MOST_BYTES bytes")
                 val text = Files.readString(file, Charsets.ISO_8859_1)
                 return BLOCK.findAll(text).map { it.groupValues[1] to it.groupValues[2] }.toList()
             } catch (failure: IOException) {
-                throw CannotStart(Reason.TLS_FILE, file, failure.javaClass.simpleName, cause = failure)
+                throw CannotStart(StartFailure.TLS_FILE, file, failure.javaClass.simpleName, cause = failure)
             }
         }
 
@@ -92,7 +92,7 @@ class OwnCertificate private constructor(
                 factory.generateCertificate(decoded(block).inputStream()) as X509Certificate
             } catch (failure: CertificateException) {
                 throw CannotStart(
-                    Reason.TLS_BROKEN,
+                    StartFailure.TLS_BROKEN,
                     file,
                     failure.message
                         .orEmpty()
@@ -101,7 +101,7 @@ class OwnCertificate private constructor(
                     cause = failure,
                 )
             } catch (failure: IllegalArgumentException) {
-                throw CannotStart(Reason.TLS_BROKEN, file, failure.message.orEmpty(), cause = failure)
+                throw CannotStart(StartFailure.TLS_BROKEN, file, failure.message.orEmpty(), cause = failure)
             }
 
         private fun privateKey(
@@ -112,15 +112,16 @@ class OwnCertificate private constructor(
             val older = blocks.firstOrNull { it.first.endsWith(" $KEY") && it.first != LOCKED_KEY }
             val block = blocks.firstOrNull { it.first == KEY }
             if (block == null) {
-                if (blocks.any { it.first == LOCKED_KEY }) throw CannotStart(Reason.TLS_LOCKED, file)
-                throw older?.let { CannotStart(Reason.TLS_OLDER, file, it.first) } ?: CannotStart(Reason.TLS_KEY, file)
+                if (blocks.any { it.first == LOCKED_KEY }) throw CannotStart(StartFailure.TLS_LOCKED, file)
+                throw older?.let { CannotStart(StartFailure.TLS_OLDER, file, it.first) }
+                    ?: CannotStart(StartFailure.TLS_KEY, file)
             }
             return try {
                 KeyFactory.getInstance(algorithm).generatePrivate(PKCS8EncodedKeySpec(decoded(block.second)))
             } catch (failure: GeneralSecurityException) {
-                throw CannotStart(Reason.TLS_OTHER_KEY, file, algorithm, cause = failure)
+                throw CannotStart(StartFailure.TLS_OTHER_KEY, file, algorithm, cause = failure)
             } catch (failure: IllegalArgumentException) {
-                throw CannotStart(Reason.TLS_OTHER_KEY, file, algorithm, cause = failure)
+                throw CannotStart(StartFailure.TLS_OTHER_KEY, file, algorithm, cause = failure)
             }
         }
 

@@ -56,7 +56,7 @@ internal class CommentRows(
         who: Identity,
         submission: Submission,
     ): Int {
-        val whose = if (who is Identity.Student) "=" else "<>"
+        val whose = if (who is Identity.StudentIdentity) "=" else "<>"
         return handle
             .createQuery("SELECT count(*) FROM comments WHERE submission_id = :id AND author_id $whose :student")
             .bind("id", submission.id)

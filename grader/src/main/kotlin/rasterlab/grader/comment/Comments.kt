@@ -85,14 +85,14 @@ class Comments(
         return database.write { handle ->
             val rows = CommentRows(handle)
             request.made(handle)?.let { return@write rows.find(submission.id, it) }
-            val most = if (who is Identity.Student) MOST_OF_STUDENT else MOST_OF_STAFF
+            val most = if (who is Identity.StudentIdentity) MOST_OF_STUDENT else MOST_OF_STAFF
             if (rows.countBy(who, submission) >= most) throw Rejection.BadComment("many", most)
             val begun = thread?.let { rows.find(submission.id, it) }
             if (begun?.thread != null) throw Rejection.BadComment("thread")
             val id = Secrets.newId()
             val now = clock.instant()
             rows.insert(id, submission.id, who.id, thread, lines, text.text, now)
-            rows.setOpen(thread ?: id, who is Identity.Student)
+            rows.setOpen(thread ?: id, who is Identity.StudentIdentity)
             note(handle, who, submission, if (thread == null) "comment" else "comment-answer", lines ?: begun?.lines)
             request.remember(handle, id, now)
             rows.find(submission.id, id)
@@ -185,7 +185,7 @@ class Comments(
         action: String,
         lines: CommentedLines?,
     ) {
-        if (who !is Identity.Staff) return
+        if (who !is Identity.StaffIdentity) return
         val course =
             handle
                 .createQuery("SELECT course_id FROM students WHERE id = :student")

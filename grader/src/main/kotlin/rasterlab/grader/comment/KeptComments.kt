@@ -55,7 +55,7 @@ class KeptComments(
      * @throws Rejection.BadComment where the name is taken, or the course has [MOST] already
      */
     fun keep(
-        who: Identity.Staff,
+        who: Identity.StaffIdentity,
         course: String,
         name: Name,
         text: CommentText,
@@ -88,7 +88,7 @@ class KeptComments(
 
     /** Keeps it no longer; what was written with it stays. */
     fun drop(
-        who: Identity.Staff,
+        who: Identity.StaffIdentity,
         course: String,
         id: String,
     ): ReadyComment =

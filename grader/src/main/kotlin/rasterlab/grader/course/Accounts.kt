@@ -42,7 +42,7 @@ class Accounts(
     /** Remembers when somebody of the staff was here, so that a token that nobody uses is seen; not at every request. */
     private fun noteUse(who: Identity) {
         val now = clock.instant()
-        if (who !is Identity.Staff) return
+        if (who !is Identity.StaffIdentity) return
         val before = used[who.id]
         if (before != null && now >= before && now < before + USE_INTERVAL) return
         used[who.id] = now
@@ -238,7 +238,7 @@ class Accounts(
             }.getOrNull()
 
     private fun student(row: ResultSet): Identity =
-        Identity.Student(row.getString("id"), row.getString("name"), row.getString("course_id"))
+        Identity.StudentIdentity(row.getString("id"), row.getString("name"), row.getString("course_id"))
 
     private fun staff(row: ResultSet): Identity =
         when (StaffRole.of(row.getString("role"))) {

@@ -13,20 +13,20 @@ sealed interface Identity {
     val name: String
 
     /** Who teaches, and sees the work of all students with what is hidden from these. */
-    sealed interface Staff : Identity
+    sealed interface StaffIdentity : Identity
 
     data class Instructor(
         override val id: String,
         override val name: String = "",
-    ) : Staff
+    ) : StaffIdentity
 
     /** Marks and comments; deletes nothing, takes no data away, and changes no rules, roster, staff or tokens. */
     data class Assistant(
         override val id: String,
         override val name: String,
-    ) : Staff
+    ) : StaffIdentity
 
-    data class Student(
+    data class StudentIdentity(
         override val id: String,
         override val name: String,
         val course: String,
@@ -36,11 +36,11 @@ sealed interface Identity {
 /** Who asks, inside `authenticate`. */
 fun ApplicationCall.identity(): Identity = principal<Identity>() ?: throw Rejection.NotSignedIn()
 
-fun ApplicationCall.student(): Identity.Student =
-    identity() as? Identity.Student ?: throw Rejection.WrongRole("student")
+fun ApplicationCall.student(): Identity.StudentIdentity =
+    identity() as? Identity.StudentIdentity ?: throw Rejection.WrongRole("student")
 
-fun ApplicationCall.staff(): Identity.Staff =
-    identity() as? Identity.Staff ?: throw Rejection.WrongRole("instructor or assistant")
+fun ApplicationCall.staff(): Identity.StaffIdentity =
+    identity() as? Identity.StaffIdentity ?: throw Rejection.WrongRole("instructor or assistant")
 
 fun ApplicationCall.instructor(): Identity.Instructor =
     identity() as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")

@@ -25,7 +25,7 @@ enum class StaffRole(
             entries.firstOrNull { it.code == code }
                 ?: throw Rejection.Malformed("role is '$code', allowed are ${entries.joinToString { it.code }}")
 
-        fun of(who: Identity.Staff): StaffRole =
+        fun of(who: Identity.StaffIdentity): StaffRole =
             when (who) {
                 is Identity.Instructor -> INSTRUCTOR
                 is Identity.Assistant -> ASSISTANT

@@ -36,7 +36,7 @@ class Hints(
 ) {
     /** The steps that the student was shown, in their order. */
     fun taken(
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         exercise: Exercise,
     ): List<TakenHint> = database.read { taken(it, student, exercise) }
 
@@ -50,7 +50,7 @@ class Hints(
      * @throws Rejection.HintOrder when a step before that one is not shown yet
      */
     fun take(
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         exercise: Exercise,
         step: Int? = null,
         key: String? = null,
@@ -86,7 +86,7 @@ class Hints(
 
     private fun insert(
         handle: Handle,
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         exercise: Exercise,
         hint: TakenHint,
     ) {
@@ -104,7 +104,7 @@ class Hints(
 
     private fun taken(
         handle: Handle,
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         exercise: Exercise,
     ): List<TakenHint> =
         handle

@@ -14,7 +14,7 @@ sealed interface InLab {
     ) : InLab
 
     /** The lab has to be given the folder of the course's exercises. */
-    data object Given : InLab
+    data object FromFolder : InLab
 
     companion object {
         private val builtIn by lazy { Catalogue.builtIn().all().filter { it.form() == Exercise.TaskKind.WRITE } }
@@ -25,7 +25,7 @@ sealed interface InLab {
             val like = builtIn.filter { it.topic() == exercise.topic() && it.contract() == exercise.contract() }
             return when {
                 like.any { it.id() == exercise.id() } -> Known
-                like.isEmpty() -> Given
+                like.isEmpty() -> FromFolder
                 else -> Like(like.first().id())
             }
         }
@@ -62,7 +62,7 @@ class LabFiles(
         when (inLab) {
             InLab.Known -> "--exercise $exercise"
             is InLab.Like -> "--exercise ${inLab.id}"
-            InLab.Given -> "--exercises FOLDER --exercise $exercise"
+            InLab.FromFolder -> "--exercises FOLDER --exercise $exercise"
         }
 }
 

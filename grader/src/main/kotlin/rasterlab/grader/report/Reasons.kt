@@ -32,6 +32,6 @@ fun CaseReport.isOpenTo(
     due: Due,
 ) = when (visibility()) {
     Disclosure.OPEN -> false
-    Disclosure.AFTER_DEADLINE -> who is Identity.Staff || due.passed
-    else -> who is Identity.Staff
+    Disclosure.AFTER_DEADLINE -> who is Identity.StaffIdentity || due.passed
+    else -> who is Identity.StaffIdentity
 }

@@ -143,12 +143,12 @@ object DiagnosticAsPublished : AsPublished<PublishedDiagnostic>()
 fun Report.seenBy(
     who: Identity,
     due: Due,
-): Report = if (who is Identity.Student) forStudent(due.passed) else this
+): Report = if (who is Identity.StudentIdentity) forStudent(due.passed) else this
 
 fun CaseReport.seenBy(
     who: Identity,
     due: Due,
-): CaseReport = if (who is Identity.Student) forStudent(due.passed) else this
+): CaseReport = if (who is Identity.StudentIdentity) forStudent(due.passed) else this
 
 /**
  * @param recorded with nothing hidden; null as long as there is no result

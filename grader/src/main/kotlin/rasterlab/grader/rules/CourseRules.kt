@@ -35,7 +35,8 @@ class CourseRules(
     private val clock: InstantSource,
 ) {
     /** The rules that hold for whoever asks, by exercise; none for an instructor. */
-    fun of(who: Identity): Map<String, ExerciseRules> = if (who is Identity.Student) ofStudent(who.id) else emptyMap()
+    fun of(who: Identity): Map<String, ExerciseRules> =
+        if (who is Identity.StudentIdentity) ofStudent(who.id) else emptyMap()
 
     private fun ofStudent(student: String): Map<String, ExerciseRules> =
         database.read { handle ->

@@ -3,7 +3,7 @@ package rasterlab.grader.storage
 import org.sqlite.SQLiteConfig
 import org.sqlite.SQLiteErrorCode
 import org.sqlite.SQLiteException
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.file.Files
@@ -37,9 +37,9 @@ object Backups {
         copy: Path,
     ) {
         val whole = copy.absolute().normalize()
-        if (whole.isDirectory()) throw CannotStart(Reason.BACKUP_IS_FOLDER, copy)
-        if (whole.exists()) throw CannotStart(Reason.BACKUP_THERE, copy)
-        if (!whole.parent.isDirectory()) throw CannotStart(Reason.BACKUP_FOLDER, copy, whole.parent)
+        if (whole.isDirectory()) throw CannotStart(StartFailure.BACKUP_IS_FOLDER, copy)
+        if (whole.exists()) throw CannotStart(StartFailure.BACKUP_THERE, copy)
+        if (!whole.parent.isDirectory()) throw CannotStart(StartFailure.BACKUP_FOLDER, copy, whole.parent)
         beside(whole) { part ->
             open(database).use { from ->
                 from.prepareStatement("VACUUM INTO ?").use {
@@ -55,7 +55,7 @@ object Backups {
 
     /** Looks at a copy where it lies, and leaves nothing beside it. */
     fun refuseUnlessWhole(copy: Path) {
-        if (!copy.isRegularFile()) throw CannotStart(Reason.BACKUP_NONE, copy)
+        if (!copy.isRegularFile()) throw CannotStart(StartFailure.BACKUP_NONE, copy)
         checkedDatabase(copy, look = ::openUntouched)
     }
 
@@ -68,7 +68,7 @@ object Backups {
         copy: Path,
         database: Path,
     ): Path? {
-        if (!copy.isRegularFile()) throw CannotStart(Reason.BACKUP_NONE, copy)
+        if (!copy.isRegularFile()) throw CannotStart(StartFailure.BACKUP_NONE, copy)
         return beside(database) { part ->
             Files.copy(copy, part, REPLACE_EXISTING)
             ownerOnly(part)
@@ -93,9 +93,9 @@ object Backups {
                 files(part).forEach(Files::deleteIfExists)
             }
         } catch (failure: IOException) {
-            throw CannotStart(Reason.BACKUP_FAILED, file, failure.toString(), cause = failure)
+            throw CannotStart(StartFailure.BACKUP_FAILED, file, failure.toString(), cause = failure)
         } catch (failure: SQLException) {
-            throw CannotStart(Reason.BACKUP_FAILED, file, failure.message.orEmpty(), cause = failure)
+            throw CannotStart(StartFailure.BACKUP_FAILED, file, failure.message.orEmpty(), cause = failure)
         }
     }
 
@@ -109,12 +109,12 @@ object Backups {
                 look(file).use { it.text("PRAGMA quick_check") to it.text(TABLES) }
             } catch (failure: SQLException) {
                 if (failure is SQLiteException && failure.resultCode == SQLiteErrorCode.SQLITE_NOTADB) {
-                    throw CannotStart(Reason.BACKUP_NO_DATABASE, said)
+                    throw CannotStart(StartFailure.BACKUP_NO_DATABASE, said)
                 }
-                throw CannotStart(Reason.BACKUP_BROKEN, said, failure.message.orEmpty())
+                throw CannotStart(StartFailure.BACKUP_BROKEN, said, failure.message.orEmpty())
             }
-        if (fault != "ok") throw CannotStart(Reason.BACKUP_BROKEN, said, fault)
-        if (tables != "2") throw CannotStart(Reason.BACKUP_FOREIGN, said)
+        if (fault != "ok") throw CannotStart(StartFailure.BACKUP_BROKEN, said, fault)
+        if (tables != "2") throw CannotStart(StartFailure.BACKUP_FOREIGN, said)
     }
 
     private fun Connection.text(sql: String): String =

@@ -11,12 +11,12 @@ import java.util.Locale
  * @param values for the places {0}, {1}, … of the reason's words; what has words in their language takes these
  */
 class CannotStart(
-    private val reason: Reason,
+    private val reason: StartFailure,
     vararg values: Any,
     cause: Throwable? = null,
 ) : Exception(cause) {
     /** @param key of the words in reasons.properties */
-    enum class Reason(
+    enum class StartFailure(
         val key: String,
     ) {
         PORT("port"),

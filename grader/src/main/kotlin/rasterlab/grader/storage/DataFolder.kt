@@ -1,6 +1,6 @@
 package rasterlab.grader.storage
 
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
@@ -41,7 +41,7 @@ class DataFolder private constructor(
         fun take(
             folder: Path,
             url: String?,
-            used: Reason = Reason.USED,
+            used: StartFailure = StartFailure.USED,
         ): DataFolder {
             val whole = folder.absolute().normalize()
             val address = url?.let { PostgresAddress.of(it) }
@@ -60,7 +60,7 @@ class DataFolder private constructor(
                 ).map { file.resolveSibling("${file.fileName}$it") }.filter { it.exists() }.forEach(::ownerOnly)
             } catch (failure: IOException) {
                 locks.forEach(FileChannel::close)
-                throw CannotStart(Reason.WRITTEN, file.parent, file.fileName, why(failure))
+                throw CannotStart(StartFailure.WRITTEN, file.parent, file.fileName, why(failure))
             }
             return DataFolder(SqliteFile(file), data.resolve("server.log"), locks)
         }
@@ -69,7 +69,7 @@ class DataFolder private constructor(
         private fun beside(
             address: PostgresAddress,
             folder: Path,
-            used: Reason,
+            used: StartFailure,
         ): DataFolder {
             address.requireAnswer()
             make(folder)
@@ -88,7 +88,7 @@ class DataFolder private constructor(
         ): DatabasePlace {
             url?.let { PostgresAddress.of(it) }?.let { return it }
             val file = fileIn(folder.absolute().normalize(), url)
-            if (!file.isRegularFile()) throw CannotStart(Reason.NO_DATABASE, file)
+            if (!file.isRegularFile()) throw CannotStart(StartFailure.NO_DATABASE, file)
             return SqliteFile(file)
         }
 
@@ -96,7 +96,7 @@ class DataFolder private constructor(
         private fun refuseEarly(
             folder: Path,
             url: String,
-            used: Reason,
+            used: StartFailure,
         ) {
             val named = named(url)
             // Its folder may be the one that is still to be made.
@@ -143,35 +143,35 @@ class DataFolder private constructor(
         private fun refuseOtherNames(file: Path) {
             if ("unix" !in file.fileSystem.supportedFileAttributeViews()) return
             val names = Files.getAttribute(file, "unix:nlink") as Int
-            if (names > 1) throw CannotStart(Reason.DB_LINKED, file, names)
+            if (names > 1) throw CannotStart(StartFailure.DB_LINKED, file, names)
         }
 
         private fun fileOf(url: String): Path {
             val file = named(url)
-            if (!file.parent.isDirectory()) throw CannotStart(Reason.DB_NONE, url, file.parent)
+            if (!file.parent.isDirectory()) throw CannotStart(StartFailure.DB_NONE, url, file.parent)
             return file
         }
 
         private fun named(url: String): Path {
             val name = url.removePrefix("jdbc:").takeIf { it.startsWith("sqlite:") }?.removePrefix("sqlite:")
-            if (name == null) throw CannotStart(Reason.DB_KIND, url)
+            if (name == null) throw CannotStart(StartFailure.DB_KIND, url)
             val plain = name.isNotEmpty() && name.none { it in "?:" }
-            if (!plain) throw CannotStart(Reason.DB_NAME, url)
+            if (!plain) throw CannotStart(StartFailure.DB_NAME, url)
             val file = Path.of(name).absolute().normalize()
-            if (file.isDirectory()) throw CannotStart(Reason.DB_FOLDER, url)
+            if (file.isDirectory()) throw CannotStart(StartFailure.DB_FOLDER, url)
             return file
         }
 
         private fun make(folder: Path) {
             if (folder.isDirectory()) return
             val standing = generateSequence(folder) { it.parent }.first { Files.exists(it) }
-            if (!standing.isDirectory()) throw CannotStart(Reason.DATA_FILE, folder, standing)
+            if (!standing.isDirectory()) throw CannotStart(StartFailure.DATA_FILE, folder, standing)
             val views = folder.fileSystem.supportedFileAttributeViews()
             try {
                 Files.createDirectories(folder)
                 if ("posix" in views) folder.setPosixFilePermissions(OWNER_ONLY)
             } catch (failure: IOException) {
-                throw CannotStart(Reason.DATA_MADE, folder, standing, why(failure))
+                throw CannotStart(StartFailure.DATA_MADE, folder, standing, why(failure))
             }
         }
 
@@ -188,7 +188,7 @@ class DataFolder private constructor(
 
         private fun lock(
             file: Path,
-            used: Reason,
+            used: StartFailure,
         ): FileChannel {
             try {
                 makeOwnerOnly(file)
@@ -198,7 +198,7 @@ class DataFolder private constructor(
             } catch (failure: OverlappingFileLockException) {
                 throw CannotStart(used, file.parent)
             } catch (failure: IOException) {
-                throw CannotStart(Reason.WRITTEN, file.parent, file.fileName, why(failure))
+                throw CannotStart(StartFailure.WRITTEN, file.parent, file.fileName, why(failure))
             }
             throw CannotStart(used, file.parent)
         }

@@ -150,7 +150,7 @@ class Database private constructor(
                 }
             if (taken) return connection
             connection.close()
-            throw CannotStart(CannotStart.Reason.USED, address)
+            throw CannotStart(CannotStart.StartFailure.USED, address)
         }
 
         /** @param first what each new connection does before all else */

@@ -2,7 +2,7 @@ package rasterlab.grader.storage
 
 import org.postgresql.ds.PGSimpleDataSource
 import org.postgresql.util.PSQLState
-import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.CannotStart.StartFailure
 import java.net.URI
 import java.net.URISyntaxException
 import java.net.URLDecoder
@@ -58,19 +58,19 @@ class PostgresAddress private constructor(
                 PSQLState.INVALID_PASSWORD.state, PSQLState.INVALID_AUTHORIZATION_SPECIFICATION.state,
                 PSQLState.CONNECTION_REJECTED.state,
                 -> {
-                    CannotStart(Reason.DB_ENTRY, this, why, cause = failure)
+                    CannotStart(StartFailure.DB_ENTRY, this, why, cause = failure)
                 }
 
                 NO_SUCH_DATABASE -> {
-                    CannotStart(Reason.DB_ABSENT, this, cause = failure)
+                    CannotStart(StartFailure.DB_ABSENT, this, cause = failure)
                 }
 
                 PSQLState.CONNECTION_UNABLE_TO_CONNECT.state, PSQLState.CONNECTION_FAILURE.state -> {
-                    CannotStart(Reason.DB_SILENT, this, cause = failure)
+                    CannotStart(StartFailure.DB_SILENT, this, cause = failure)
                 }
 
                 else -> {
-                    CannotStart(Reason.DATABASE, this, why, cause = failure)
+                    CannotStart(StartFailure.DATABASE, this, why, cause = failure)
                 }
             }
         }
@@ -99,7 +99,7 @@ class PostgresAddress private constructor(
         ): PostgresAddress? {
             val plain = url.removePrefix("jdbc:")
             if (!plain.startsWith("postgresql:") && !plain.startsWith("postgres:")) return null
-            val refused = CannotStart(Reason.DB_ADDRESS, withoutPassword(url))
+            val refused = CannotStart(StartFailure.DB_ADDRESS, withoutPassword(url))
             val address =
                 try {
                     URI(plain)

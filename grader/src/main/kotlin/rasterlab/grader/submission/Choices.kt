@@ -16,7 +16,7 @@ class Choices(
      * @throws Rejection.NothingToChoose where the course rules otherwise
      */
     fun choose(
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         id: String,
     ): Submission =
         database.write { handle ->

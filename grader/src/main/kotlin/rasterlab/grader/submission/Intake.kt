@@ -53,7 +53,7 @@ class Intake(
      * @throws Rejection.Late where it has and the student does not
      */
     fun accept(
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         exercise: Exercise,
         source: String,
         key: String?,
@@ -87,7 +87,7 @@ class Intake(
      */
     private fun requireTaken(
         handle: Handle,
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         exercise: Exercise,
         agreed: (Int) -> Boolean,
     ) {
@@ -103,13 +103,13 @@ class Intake(
 
     private fun made(
         handle: Handle,
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         exercise: Exercise,
     ) = count(student, handle.createQuery("$COUNT AND exercise = :exercise").bind("exercise", exercise.id()))
 
     private fun insert(
         handle: Handle,
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         exercise: Exercise,
         source: String,
         handedSeed: Long?,
@@ -141,7 +141,7 @@ class Intake(
 
     private fun checkLimits(
         handle: Handle,
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         allowance: Allowance,
     ) {
         val waiting = count(student, handle.createQuery("$COUNT AND state <> 'done'"))
@@ -155,7 +155,7 @@ class Intake(
      */
     private fun allowance(
         handle: Handle,
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
     ): Allowance {
         val now = clock.instant()
         val lately =
@@ -174,7 +174,7 @@ class Intake(
     }
 
     private fun count(
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         query: Query,
     ) = query.bind("student", student.id).mapTo(Int::class.javaObjectType).one()
 

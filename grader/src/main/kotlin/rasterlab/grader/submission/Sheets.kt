@@ -34,7 +34,7 @@ class Sheets(
         exercise: Exercise,
     ): Sheet? {
         val rules = exercise.predicting().getOrNull() ?: return null
-        val student = who as? Identity.Student
+        val student = who as? Identity.StudentIdentity
         val seed = student?.let { database.write { handle -> seed(handle, it, exercise) } } ?: SheetText.freshSeed()
         return Sheet.of(exercise.topic(), rules, seed)
     }
@@ -43,7 +43,7 @@ class Sheets(
         /** The seed of the sheet that the student's next attempt answers. */
         fun seed(
             handle: Handle,
-            student: Identity.Student,
+            student: Identity.StudentIdentity,
             exercise: Exercise,
         ): Long {
             val attempt =

@@ -42,7 +42,11 @@ class Submissions(
         id: String,
     ): Submission {
         val found = find(id)
-        if (found == null || (who is Identity.Student && found.student != who.id)) throw Rejection.UnknownSubmission(id)
+        if (found == null ||
+            (who is Identity.StudentIdentity && found.student != who.id)
+        ) {
+            throw Rejection.UnknownSubmission(id)
+        }
         return found
     }
 
@@ -70,7 +74,7 @@ class Submissions(
         )
 
     /** The bests of a student; null for an instructor, who hands nothing in. */
-    fun bestsOf(who: Identity): Map<String, Int?>? = if (who is Identity.Student) bests(who.id) else null
+    fun bestsOf(who: Identity): Map<String, Int?>? = if (who is Identity.StudentIdentity) bests(who.id) else null
 
     /**
      * The most points of what the student has handed in, by exercise; null as long as nothing is
@@ -91,7 +95,7 @@ class Submissions(
 
     /** How far a student has come; null for an instructor, who hands nothing in. */
     fun standingOf(who: Identity): StudentStanding? =
-        if (who is Identity.Student) StudentStanding(bests(who.id), attempts(who.id)) else null
+        if (who is Identity.StudentIdentity) StudentStanding(bests(who.id), attempts(who.id)) else null
 
     private fun attempts(student: String): Map<String, Int> =
         database.read { handle ->

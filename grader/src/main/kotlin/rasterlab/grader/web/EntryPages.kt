@@ -33,8 +33,8 @@ private const val FORM_BYTES = 16 * 1024
 fun Route.welcome(accounts: Accounts) {
     get("/") {
         when (call.visitor(accounts)) {
-            is Identity.Student -> call.respondRedirect("/exercises")
-            is Identity.Staff -> call.respondRedirect("/instructor")
+            is Identity.StudentIdentity -> call.respondRedirect("/exercises")
+            is Identity.StaffIdentity -> call.respondRedirect("/instructor")
             null -> call.respondWelcome(problem = null)
         }
     }

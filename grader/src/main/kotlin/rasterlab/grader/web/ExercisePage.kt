@@ -52,7 +52,7 @@ internal class ExercisePage(
     /** Has [form] shown again, with all that it holds, where what [call] goes on to do with it is refused. */
     fun showAgain(
         call: ApplicationCall,
-        who: Identity.Student,
+        who: Identity.StudentIdentity,
         exercise: Exercise,
         form: HandedForm,
     ) = call.attributes.put(
@@ -76,10 +76,10 @@ internal class ExercisePage(
             who,
             exercise,
             sheet?.let { typed ?: TypedSheet(exercise, it, emptyMap()) },
-            if (who is Identity.Student) hints.taken(who, exercise) else emptyList(),
-            if (who is Identity.Student) submissions.ofStudent(who.id, exercise.id()) else null,
+            if (who is Identity.StudentIdentity) hints.taken(who, exercise) else emptyList(),
+            if (who is Identity.StudentIdentity) submissions.ofStudent(who.id, exercise.id()) else null,
             rules.of(who)[exercise.id()] ?: ExerciseRules(),
-            if (who is Identity.Student) rules.shows(who.id, exercise.id()) else null,
+            if (who is Identity.StudentIdentity) rules.shows(who.id, exercise.id()) else null,
             clock.instant(),
             form,
         )

@@ -80,7 +80,7 @@ fun Route.instructorPages(
         val who = call.instructorHere(accounts)
         val student = call.parameters.getOrFail("student")
         val token = accounts.renewStudent(student, who.id, key = null) ?: throw Rejection.UnknownStudent(student)
-        val holder = accounts.holder(token) as? Identity.Student
+        val holder = accounts.holder(token) as? Identity.StudentIdentity
         call.respondToken(who, holder?.name.orEmpty(), token, "/instructor", "token.back")
     }
     post("/instructor/students/{student}/revoke") {
@@ -115,7 +115,7 @@ internal suspend fun ApplicationCall.respondToken(
 }
 
 private suspend fun ApplicationCall.respondDesk(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     courses: Courses,
     exercises: Exercises,
     submissions: Submissions,

@@ -89,7 +89,7 @@ private fun FlowContent.navigation(
 ) = nav {
     a("/", classes = "brand") { +texts.say("app") }
     if (who != null) a("/exercises") { +texts.say("nav.exercises") }
-    if (who is Identity.Staff) a("/instructor") { +texts.say("nav.${StaffRole.of(who).code}") }
+    if (who is Identity.StaffIdentity) a("/instructor") { +texts.say("nav.${StaffRole.of(who).code}") }
     span("spread") {}
     if (who != null && who.name.isNotEmpty()) span("who") { +who.name }
     LANGUAGES.filter { it != texts.language }.forEach { other ->

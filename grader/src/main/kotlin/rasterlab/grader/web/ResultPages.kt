@@ -165,7 +165,7 @@ class ResultPage(
         submission: Submission,
     ): String {
         val title = exercises.find(submission.exercise)?.title(texts.language) ?: submission.exercise
-        val student = submissions.listed(submission.id)?.student.takeIf { who is Identity.Staff }
+        val student = submissions.listed(submission.id)?.student.takeIf { who is Identity.StaffIdentity }
         return listOfNotNull(student, title).joinToString(" — ")
     }
 }

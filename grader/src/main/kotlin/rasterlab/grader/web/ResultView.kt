@@ -205,7 +205,7 @@ private fun FlowContent.inLab(
     when (val inLab = files.inLab) {
         InLab.Known -> Unit
         is InLab.Like -> p { +texts.say("result.lab.like", inLab.id) }
-        InLab.Given -> p { +texts.say("result.lab.folder") }
+        InLab.FromFolder -> p { +texts.say("result.lab.folder") }
     }
     ul {
         li {

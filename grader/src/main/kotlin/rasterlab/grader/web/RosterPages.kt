@@ -106,7 +106,7 @@ private class RosterDesk(
 
     suspend fun show(
         call: ApplicationCall,
-        who: Identity.Staff,
+        who: Identity.StaffIdentity,
         refused: Refused?,
     ) {
         val texts = call.texts()

@@ -80,7 +80,7 @@ private fun Parameters.rules(): Map<RuleField, String> =
     RuleField.entries.mapNotNull { field -> get(field.code)?.let { field to it } }.toMap()
 
 private suspend fun ApplicationCall.respondRules(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     course: Course,
     exercises: Exercises,
     set: Map<String, ExerciseRules>,

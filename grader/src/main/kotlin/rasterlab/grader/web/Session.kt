@@ -51,11 +51,11 @@ fun ApplicationCall.signOut(accounts: Accounts) {
 /** Who signed in with this browser, or null. */
 fun ApplicationCall.visitor(accounts: Accounts): Identity? = sessionCookie()?.let(accounts::inSession)
 
-fun ApplicationCall.studentHere(accounts: Accounts): Identity.Student =
-    someone(accounts) as? Identity.Student ?: throw Rejection.WrongRole("student")
+fun ApplicationCall.studentHere(accounts: Accounts): Identity.StudentIdentity =
+    someone(accounts) as? Identity.StudentIdentity ?: throw Rejection.WrongRole("student")
 
-fun ApplicationCall.staffHere(accounts: Accounts): Identity.Staff =
-    someone(accounts) as? Identity.Staff ?: throw Rejection.WrongRole("instructor or assistant")
+fun ApplicationCall.staffHere(accounts: Accounts): Identity.StaffIdentity =
+    someone(accounts) as? Identity.StaffIdentity ?: throw Rejection.WrongRole("instructor or assistant")
 
 fun ApplicationCall.instructorHere(accounts: Accounts): Identity.Instructor =
     someone(accounts) as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")

@@ -80,7 +80,7 @@ fun FlowContent.similarLinks(
 }
 
 private suspend fun ApplicationCall.respondPairs(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     exercise: Exercise,
     report: LikenessReport,
 ) {
@@ -136,7 +136,7 @@ private fun address(
 ) = "/instructor/exercises/${exercise.id()}/similarity/${first.submission}/${second.submission}"
 
 private suspend fun ApplicationCall.respondSideBySide(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     exercise: Exercise,
     first: HandedProgram,
     second: HandedProgram,

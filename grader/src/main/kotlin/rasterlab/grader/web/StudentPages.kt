@@ -66,7 +66,7 @@ fun Route.studentPages(
 private fun ApplicationCall.studentAsked() = parameters.getOrFail("student")
 
 private suspend fun ApplicationCall.respondStudent(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     kept: KeptStudent,
     revokedSince: Instant?,
     exercises: Exercises,

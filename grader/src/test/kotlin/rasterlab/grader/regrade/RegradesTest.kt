@@ -253,7 +253,7 @@ open class RegradesTest {
     }
 
     private fun handInFor(
-        student: Identity.Student,
+        student: Identity.StudentIdentity,
         points: Int,
     ): String {
         given = points

@@ -86,8 +86,8 @@ class ScenesTest {
         val line = Catalogue.builtIn().named("line-bresenham")
         assertEquals(InLab.Known, InLab.of(line))
         assertEquals(InLab.Like("line-bresenham"), InLab.of(renamed(line, line.topic())))
-        assertEquals(InLab.Given, InLab.of(renamed(line, "line-plane")))
-        val files = LabFiles("own", 2, Exercise.TaskKind.WRITE, InLab.Given)
+        assertEquals(InLab.FromFolder, InLab.of(renamed(line, "line-plane")))
+        val files = LabFiles("own", 2, Exercise.TaskKind.WRITE, InLab.FromFolder)
         val opened = "./lab open own-2-a.scene.json --exercises FOLDER --exercise own --with own-2.java"
         assertEquals(opened, files.command("a"))
     }

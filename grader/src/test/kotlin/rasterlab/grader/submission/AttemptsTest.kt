@@ -187,7 +187,7 @@ open class AttemptsTest {
         val courses = Courses(database, clock)
         val course = courses.create(Identity.Instructor("i"), Name.of("Graphics"), key = null)
         val token = courses.join(course.code, Name.of("Ada"), key = null).token
-        val student = Accounts(database, clock).holder(token) as Identity.Student
+        val student = Accounts(database, clock).holder(token) as Identity.StudentIdentity
         return Intake(
             database,
             IntakeLimits(),

@@ -66,7 +66,7 @@ internal fun FlowContent.waysOfClass(
 private val CLASS_PAGES = listOf("errors", "stuck", "front")
 
 private suspend fun ApplicationCall.respondEfforts(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     course: Course,
     exercise: Exercise,
     found: ClassEfforts,

@@ -86,7 +86,7 @@ internal fun errorsAddress(
 ) = "${rulesAddress(course, exercise)}/errors"
 
 private suspend fun ApplicationCall.respondErrors(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     course: Course,
     exercise: Exercise,
     map: ErrorMap,
@@ -246,7 +246,7 @@ private fun FlowContent.groups(
 }
 
 private suspend fun ApplicationCall.respondCase(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     course: Course,
     exercise: Exercise,
     map: ErrorMap,

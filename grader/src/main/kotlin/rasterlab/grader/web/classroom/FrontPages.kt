@@ -65,7 +65,7 @@ fun Route.frontPages(
 }
 
 private suspend fun ApplicationCall.respondOwnPlace(
-    student: Identity.Student,
+    student: Identity.StudentIdentity,
     exercise: Exercise,
     places: List<FrontPoint>,
 ) {
@@ -81,7 +81,7 @@ private suspend fun ApplicationCall.respondOwnPlace(
 }
 
 private suspend fun ApplicationCall.respondFront(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     course: Course,
     exercise: Exercise,
     places: List<FrontPoint>,

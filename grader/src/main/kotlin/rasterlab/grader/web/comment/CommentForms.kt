@@ -31,7 +31,7 @@ private const val BEGINNING = 60
 /** The form that begins a thread: of staff a comment, of the student a question. */
 internal fun FlowContent.newThread(desk: CommentDesk) {
     val texts = desk.texts
-    val kind = if (desk.who is Identity.Staff) "staff" else "student"
+    val kind = if (desk.who is Identity.StaffIdentity) "staff" else "student"
     h2 { +texts.say("comment.new.$kind") }
     p { +texts.say("comment.about.$kind") }
     commentForm(desk, desk.address, "new") {
@@ -93,7 +93,7 @@ internal fun FlowContent.controls(
             }
         }
     }
-    if (desk.who is Identity.Staff && one.role != "student") {
+    if (desk.who is Identity.StaffIdentity && one.role != "student") {
         val name = "keep-${one.id}"
         details {
             open = desk.typedIn(name) != null

@@ -99,7 +99,7 @@ private class SentForm(
         courses: Courses,
         kept: KeptComments,
     ): CommentText {
-        val chosen = fields["kept"].orEmpty().takeIf { it.isNotEmpty() && who is Identity.Staff }
+        val chosen = fields["kept"].orEmpty().takeIf { it.isNotEmpty() && who is Identity.StaffIdentity }
         val begun = chosen?.let { kept.find(course(courses), it).text }
         return CommentText.of(listOfNotNull(begun, fields["text"]).filter { it.isNotBlank() }.joinToString("\n\n"))
     }

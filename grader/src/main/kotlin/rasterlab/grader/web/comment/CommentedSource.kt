@@ -49,7 +49,7 @@ class CommentedSource(
                     },
                 )
             }
-        val course = if (who is Identity.Staff) courses.ofStudent(submission.student)?.id else null
+        val course = if (who is Identity.StaffIdentity) courses.ofStudent(submission.student)?.id else null
         val desk = CommentDesk(texts, who, submission, course, course?.let(kept::of).orEmpty(), typed)
         val refused = typed?.contains(CommentDesk.FORM) == true
         details {

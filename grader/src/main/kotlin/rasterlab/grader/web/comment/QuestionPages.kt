@@ -90,7 +90,7 @@ fun Route.questionPages(
 }
 
 private suspend fun ApplicationCall.respondQuestions(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     course: Course,
     exercises: Exercises,
     page: QuestionPage,
@@ -132,7 +132,7 @@ private fun FlowContent.question(
 }
 
 private suspend fun ApplicationCall.respondKept(
-    who: Identity.Staff,
+    who: Identity.StaffIdentity,
     course: Course,
     kept: List<ReadyComment>,
     typed: Parameters?,
