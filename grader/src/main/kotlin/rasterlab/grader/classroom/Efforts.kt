@@ -8,7 +8,7 @@ import java.time.Instant
  * How a student gets on with an exercise.
  *
  * @param attempts with a result
- * @param best the most points of them, before hints and points by hand
+ * @param best the most points of them, before hints, lateness and points by hand
  * @param withoutGain attempts since the first one with these points
  * @param hints steps that were shown
  */

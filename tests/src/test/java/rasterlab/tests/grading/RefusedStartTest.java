@@ -91,7 +91,11 @@ class RefusedStartTest {
                 argumentSet(
                         "a database that does not answer leaves a folder",
                         "postgresql://u@no.such.host.invalid:5432/db: no PostgreSQL server answers",
-                        List.of("--port", "0", "--db", "postgresql://u:hush@no.such.host.invalid/db")));
+                        List.of(
+                                "--port",
+                                "0",
+                                "--db",
+                                "postgresql://u:hush@no.such.host.invalid/db")));
     }
 
     @Test

@@ -78,6 +78,8 @@ class ServerWordsTest {
                 new Rejection.NoAttemptsLeft("circle", 3),
                 new Rejection.Late(Instant.EPOCH, new Rejection.Lateness.Marked()),
                 new Rejection.Late(
+                        Instant.EPOCH, new Rejection.Lateness.TakesPoints(40, Instant.EPOCH)),
+                new Rejection.Late(
                         Instant.EPOCH, new Rejection.Lateness.TakesDay(1, 2, Instant.EPOCH)),
                 new Rejection.Late(Instant.EPOCH, new Rejection.Lateness.Practice(Instant.EPOCH)),
                 new Rejection.NoRoom());
