@@ -199,7 +199,7 @@ public final class TopicBodies {
                 .with(new LightChoice.LightMarks(0.1, 0.5, 0.9, 0.5, atX, 0.5));
     }
 
-    /** One lamp and a material like that, all of whose shares are grey. */
+    /** A choice of one lamp and a material like {@code like}, whose shares are all grey. */
     private static LightChoice lit(LightChoice first, SurfaceMaterial like, double ambient) {
         Substance gray = Substance.SILVER;
         SurfaceMaterial whole = gray.surface();

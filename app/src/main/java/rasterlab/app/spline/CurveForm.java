@@ -98,7 +98,7 @@ public enum CurveForm {
         return whole && several && points.size() <= to.most ? points : FirstCurves.points(to);
     }
 
-    /** M_hb, applied to [P1, P2, P3, P4]. */
+    /** Applies M_hb to [P1, P2, P3, P4]. */
     private static List<Place> hermiteOfBezier(List<Place> b) {
         return List.of(b.get(0), b.get(3), thrice(b.get(0), b.get(1)), thrice(b.get(2), b.get(3)));
     }

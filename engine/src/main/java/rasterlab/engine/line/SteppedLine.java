@@ -6,9 +6,9 @@ import rasterlab.contract.LineRasterizer;
 public interface SteppedLine extends LineRasterizer {
     /** Which pixel a decision value is about. */
     enum Decides {
-        /** The pixel it is shown with: it was chosen by this value. */
+        /** The pixel that the value is shown with, and that it chose. */
         THIS_PIXEL,
-        /** The pixel after the one it is shown with. */
+        /** The pixel after the one that the value is shown with. */
         NEXT_PIXEL
     }
 

@@ -13,7 +13,7 @@ public final class ProjectionMatrices {
     /** Cavalier's a, the slanted axis in its full length: cos 45°. */
     public static final double CAVALIER = Math.sqrt(0.5);
 
-    /** Cabinet's a, half the length. */
+    /** The a of the cabinet projection: half the length. */
     public static final double CABINET = CAVALIER / 2;
 
     private ProjectionMatrices() {}

@@ -70,7 +70,9 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, Equivalence<I, O> alike) {
+                    AnsweredInput<I, O> first,
+                    List<AnsweredInput<I, O>> beside,
+                    Equivalence<I, O> alike) {
                 for (int i = 0; i < changes.size(); i++) {
                     O wanted = changes.get(i).answer().apply(first.input(), first.output());
                     AnsweredInput<I, O> other = beside.get(i);
@@ -102,7 +104,9 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, Equivalence<I, O> alike) {
+                    AnsweredInput<I, O> first,
+                    List<AnsweredInput<I, O>> beside,
+                    Equivalence<I, O> alike) {
                 O known = wanted.apply(first.input(), first.output());
                 AnsweredInput<I, O> other = beside.get(0);
                 return alike.test(other.input(), known, other.output())
@@ -126,7 +130,9 @@ public interface Relation<I, O> {
 
             @Override
             public Optional<Broken<I, O>> broken(
-                    AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, Equivalence<I, O> alike) {
+                    AnsweredInput<I, O> first,
+                    List<AnsweredInput<I, O>> beside,
+                    Equivalence<I, O> alike) {
                 O known = wanted.apply(first.input(), first.output());
                 return alike.test(first.input(), known, first.output())
                         ? Optional.empty()

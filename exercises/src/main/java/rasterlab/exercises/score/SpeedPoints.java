@@ -23,7 +23,7 @@ public final class SpeedPoints {
     private static final List<Band> BANDS =
             List.of(new Band(1.5, 1), new Band(3, 0.7), new Band(8, 0.4));
 
-    /** A time within so much of a band's end is taken for one of the band. */
+    /** Times up to this factor beyond a band's end may belong to the band. */
     private static final double TOLERANCE = 1.1;
 
     /** A method that was in a band stays there up to so much beyond its end. */

@@ -39,9 +39,9 @@ import rasterlab.tests.bench.window.WindowBench;
         name = "./lab bench",
         mixinStandardHelpOptions = true,
         description = {
-            "Times our methods and what a user would pick instead, in one run, and prints",
-            "both with the ratio, its range over the rounds and the goal. A goal that is missed is no",
-            "error."
+            "Times the methods beside their peers, such as Java2D and OpenGL, in one run. Prints both",
+            "times, their ratio, its range over the rounds and the goal. It exits with 0 where a goal",
+            "is missed, too."
         })
 public final class Bench implements Callable<Integer> {
     private static final Map<String, Supplier<List<Goal>>> GROUPS =
@@ -73,7 +73,9 @@ public final class Bench implements Callable<Integer> {
             description = "only the goals whose work has this text, such as \"segments\"")
     private String only = "";
 
-    @Option(names = "--quick", description = "short rounds: a first look, no figure to quote")
+    @Option(
+            names = "--quick",
+            description = "short rounds for a first look; quote figures of a whole run only")
     private boolean quick;
 
     @Option(
@@ -86,7 +88,7 @@ public final class Bench implements Callable<Integer> {
             names = "--lang",
             paramLabel = "LANGUAGE",
             description =
-                    "of what people read: en or ru; default: en. Names of works are the same in both")
+                    "language of the texts, en or ru (default: en); works have the same names in both")
     private ReportLanguage language = ReportLanguage.EN;
 
     private final Console console;

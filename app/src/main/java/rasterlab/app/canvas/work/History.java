@@ -65,7 +65,7 @@ public final class History<T> {
         return tried.contains(stage);
     }
 
-    /** Something was done on the stage of that name, which panels made anew shall know. */
+    /** Notes that something was done on the stage of that name, for panels that are made later. */
     public void tried(String stage) {
         tried.add(stage);
     }

@@ -1,6 +1,7 @@
 package rasterlab.app.cli.console;
 
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -51,12 +52,17 @@ public final class HelpCommand implements Callable<Integer> {
         CommandLine shown = spec.parent().commandLine();
         for (String name : names) {
             CommandLine below = shown.getSubcommands().get(name);
-            if (below == null)
-                throw new ParameterException(
-                        shown, Named.unknown("command", name, shown.getSubcommands().keySet()));
+            if (below == null) throw new ParameterException(shown, noCommand(shown, name));
             shown = below;
         }
         shown.usage(console.out());
         return ExitCode.DONE;
+    }
+
+    private static String noCommand(CommandLine above, String name) {
+        Set<String> known = above.getSubcommands().keySet();
+        return known.isEmpty()
+                ? "%s has no commands below it, got '%s'".formatted(above.getCommandName(), name)
+                : Named.unknown("command", name, known);
     }
 }

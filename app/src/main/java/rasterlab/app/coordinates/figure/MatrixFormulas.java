@@ -20,7 +20,7 @@ public final class MatrixFormulas {
 
     private MatrixFormulas() {}
 
-    /** {@code said = [matrix]}. */
+    /** The formula {@code said = [matrix]}. */
     public static Formula named(String said, double[] cells, Locale locale) {
         return Formula.of(new Formula.FormulaWords(said), matrix(cells, locale));
     }

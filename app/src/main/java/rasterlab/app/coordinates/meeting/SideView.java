@@ -41,7 +41,7 @@ record SideView(
         return new SideView(line.from(), right, up, unit, reached ? height : 0, reached);
     }
 
-    /** Any direction square to that one. */
+    /** A direction at a right angle to {@code up}. */
     private static Vector beside(Vector up) {
         Vector axis = Math.abs(up.x()) < 0.6 ? new Vector(1, 0, 0) : new Vector(0, 1, 0);
         return up.cross(axis).unit();

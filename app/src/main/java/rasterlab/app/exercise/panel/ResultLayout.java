@@ -97,7 +97,7 @@ final class ResultLayout implements LayoutManager {
         picture.setBounds(left + gap, lines + gap / 2, right, height - lines - gap / 2);
     }
 
-    /** A height of at most so much, at which the lower edge cuts no row. */
+    /** The largest height up to {@code height} at which the lower edge cuts no row. */
     private int wholeRows(int height) {
         Insets border = cases.getInsets();
         int head = table.getTableHeader().getPreferredSize().height;

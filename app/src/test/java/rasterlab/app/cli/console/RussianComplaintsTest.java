@@ -202,8 +202,9 @@ class RussianComplaintsTest {
             value = {
                 "check line-bresenham nothing | nothing: такого файла нет",
                 "check line-bresenham 1.0 | 1.0: такого файла нет",
-                "nothing | неизвестная команда «nothing»",
-                "0.5 | неизвестная команда «0.5»",
+                "nothing | нет команды «nothing»",
+                "0.5 | нет команды «0.5»",
+                "help render extra | у render нет вложенных команд, получено «extra»",
                 "study circle --out points | points: неизвестное расширение",
                 "render vase --out a.png --zoom 1e-9 | zoom должно быть от 1e-6 до 1000000, получено 1e-9",
             })
@@ -267,7 +268,7 @@ class RussianComplaintsTest {
         Path words = Files.writeString(folder.resolve("words"), "methods line");
         Ran ran = Ran.lab("@" + words, "--lang", "ru");
         assertEquals(2, ran.exitCode(), ran.out());
-        assertTrue(ran.err().contains("неизвестная команда «@"), ran.err());
+        assertTrue(ran.err().contains("нет команды «@"), ran.err());
     }
 
     @ParameterizedTest(name = "names are in straight quotes after: ./lab {0}")

@@ -93,7 +93,7 @@ public final class ExactShade {
         return power(cosine, cone.exponent());
     }
 
-    /** The whole part by multiplying, the bits behind the point by square roots. */
+    /** A power: its whole part by multiplying, the bits behind the point by square roots. */
     private static BigDecimal power(BigDecimal base, double exponent) {
         if (exponent == 0) return ONE;
         int whole = (int) exponent;
