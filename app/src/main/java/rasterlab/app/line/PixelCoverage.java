@@ -33,6 +33,7 @@ public record PixelCoverage(List<Shade> shades) {
     public record Shade(int step, int x, int y, int level) {
         public Shade {
             Bounds.requireAtLeast("step", step, 1);
+            Bounds.require("level", level, 1, CoverageLine.FULL);
         }
     }
 

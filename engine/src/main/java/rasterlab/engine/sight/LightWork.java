@@ -1,5 +1,6 @@
 package rasterlab.engine.sight;
 
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.sight.cost.PictureWork;
 
 /**
@@ -16,6 +17,10 @@ public record LightWork(boolean perCorner, boolean[] atPixels, int texelReads, b
 
     /** The share of hidden faces that are drawn, and lit, before what hides them. */
     private static final double BEFORE = 0.5;
+
+    public LightWork {
+        Bounds.require("texelReads", texelReads, 0, 8);
+    }
 
     /**
      * The estimated work of a picture by a family's method.

@@ -1,5 +1,7 @@
 package rasterlab.engine.study;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * How far a study has come.
  *
@@ -7,4 +9,8 @@ package rasterlab.engine.study;
  * @param method the method just finished with
  * @param workload the workload it ran on
  */
-public record Progress(int done, int total, String method, String workload) {}
+public record Progress(int done, int total, String method, String workload) {
+    public Progress {
+        Bounds.require("done", done, 0, total);
+    }
+}

@@ -35,6 +35,9 @@ public record CaseReport(
     private static final Pattern NUMBERED = Pattern.compile(HIDDEN + " (\\d+)");
 
     public CaseReport {
+        if (points > of)
+            throw new IllegalArgumentException(
+                    "'%s' earned %d points of %d".formatted(name, points, of));
         pictures = List.copyOf(pictures);
         if (pictures.stream().map(CasePicture::kind).distinct().count() < pictures.size())
             throw new IllegalArgumentException("two pictures of '" + name + "' are of one kind");

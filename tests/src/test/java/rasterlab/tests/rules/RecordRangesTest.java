@@ -33,7 +33,8 @@ class RecordRangesTest {
                     "\\bfrom (?:[−-]?\\d|\\{@value)"
                             + "|(?:[−-]?\\d[\\d.]*|\\{@value[^}]*\\}) to (?:[−-]?\\d|\\{@value)"
                             + "|\\bat least (?:\\d|\\{@value)|\\d or more|\\babove \\d|\\bin \\["
-                            + "|\\bnot negative|\\bpositive");
+                            + "|\\bnot negative|\\bpositive"
+                            + "|\\d to \\{@(?:code|link)|(?:^|[,:] )\\d(?:, \\d)* or \\d\\b");
 
     @Test
     @DisplayName("a record lets in what its comment rules out")

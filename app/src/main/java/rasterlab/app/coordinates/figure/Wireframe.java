@@ -3,6 +3,7 @@ package rasterlab.app.coordinates.figure;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.scene.House;
 import rasterlab.engine.scene.Mesh;
 
@@ -18,6 +19,7 @@ public record Wireframe(int dimension, List<Double> points, List<Edge> edges) {
     public record Edge(int from, int to) {}
 
     public Wireframe {
+        Bounds.require("dimension", dimension, 2, 3);
         points = List.copyOf(points);
         edges = List.copyOf(edges);
     }

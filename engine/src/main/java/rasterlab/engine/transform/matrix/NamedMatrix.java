@@ -7,6 +7,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.joml.Matrix3d;
 import org.joml.Matrix4d;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * A matrix that the course has a name for.
@@ -26,6 +27,7 @@ public record NamedMatrix(
         int size,
         Function<double[], double[]> cells) {
     public NamedMatrix {
+        Bounds.require("size", size, 3, 4);
         parameters = List.copyOf(parameters);
     }
 
