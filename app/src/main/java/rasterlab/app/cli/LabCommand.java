@@ -25,7 +25,7 @@ import rasterlab.app.outcome.ExitCode;
             "2:the command line or the input is wrong; one line says where",
             "3:the method refuses this input",
             "4:no answer: the method crashed, did not end, or its answer is over a limit; for submit: the"
-                    + " server cannot be reached, or takes no more just now",
+                    + " server cannot be reached, or accepts no more at the moment",
             "70:a fault of Rasterlab; the message names a log file"
         },
         footer = {

@@ -41,7 +41,7 @@ import rasterlab.exercises.score.GradingVerdict;
             "0:every case is right",
             "1:a case fails, or what was handed in was not accepted by the judge",
             "2:the file or the token cannot be read, or the server refuses them",
-            "4:no server answers, or it takes no more just now, or the connection was lost",
+            "4:no server answers, or it accepts no more at the moment, or the connection was lost",
         },
         footer = {
             "",
@@ -198,7 +198,7 @@ public final class SubmitCommand implements Callable<Integer> {
             case LOST -> Complaint.gaveUp("the connection to " + address + " was lost");
             case OTHER ->
                     Complaint.gaveUp(
-                            "the talk with " + address + " broke off: " + broken.getMessage());
+                            "the connection to " + address + " was lost: " + broken.getMessage());
         };
     }
 

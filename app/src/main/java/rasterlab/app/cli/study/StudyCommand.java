@@ -119,7 +119,7 @@ public final class StudyCommand implements Callable<Integer> {
             names = "--chart",
             paramLabel = "CHART",
             description =
-                    "what --out draws: front (speed against accuracy, the usual one), sizes,"
+                    "what --out draws: front (speed against accuracy, the default), sizes,"
                             + " cost-growth, error-growth or error-by-input (with the method that"
                             + " is best in each range of sizes)")
     private String chart = StudyPlot.FRONT.code();

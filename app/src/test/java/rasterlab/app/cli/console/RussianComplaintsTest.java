@@ -54,6 +54,7 @@ class RussianComplaintsTest {
             chart line-brightness --methods dad --lang ru
             chart line-brightness --methods dda, --lang ru
             study --lang ru
+            submit line-bresenham --lang ru
             study lien --lang ru
             study line --out a.gif --lang ru
             study line --out FOLDER --lang ru

@@ -120,7 +120,7 @@ class SubmitCommandTest {
     @Test
     void ofJsonNoProgramRunsSoThatNoIsolationIsTold() throws IOException {
         try (var server = server("break", "wrong")) {
-            assertFalse(submit(server.address()).out().contains("Run in"));
+            assertFalse(submit(server.address()).out().contains("Isolation"));
         }
     }
 

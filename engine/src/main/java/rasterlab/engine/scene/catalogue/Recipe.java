@@ -30,7 +30,7 @@ record Recipe(String name, int usualDetail, IntFunction<Scene> make) {
     Scene inDetail(int detail) {
         if (!hasDetail())
             throw new IllegalArgumentException(
-                    "scene '%s' is not made in steps; %s are"
+                    "scene '%s' takes no detail; %s do"
                             .formatted(name, String.join(", ", Scenes.namesWithDetail())));
         if (detail < COARSEST || detail > FINEST)
             throw new IllegalArgumentException(

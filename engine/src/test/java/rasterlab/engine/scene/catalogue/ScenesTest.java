@@ -136,9 +136,9 @@ class ScenesTest {
     void refusesDetailWhereNothingHasSteps() {
         var refusal = assertThrows(IllegalArgumentException.class, () -> Scenes.named("house", 8));
         assertEquals(
-                "scene 'house' is not made in steps; "
+                "scene 'house' takes no detail; "
                         + String.join(", ", Scenes.namesWithDetail())
-                        + " are",
+                        + " do",
                 refusal.getMessage());
     }
 
