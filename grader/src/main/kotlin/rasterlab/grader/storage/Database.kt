@@ -20,7 +20,7 @@ import javax.sql.DataSource
  * SQLite: each write is an IMMEDIATE transaction on the one writing connection of one process (`synchronous=FULL`; see
  * https://www.sqlite.org/pragma.html#pragma_synchronous). PostgreSQL: each write first takes the one lock of the database
  * that all writers of all processes take, and has it until its end, so that what holds for the one holds for the other.
- * In both, what was written is on the disk when [write] returns.
+ * With either engine a write is on the disk when [write] returns.
  *
  * @param folder on the disk whose room counts
  * @param alone ends when the database is closed, and keeps other servers away until then
