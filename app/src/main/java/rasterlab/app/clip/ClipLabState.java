@@ -4,7 +4,7 @@ import java.util.Optional;
 import rasterlab.app.clip.outcome.ClipResults;
 import rasterlab.app.clip.outcome.ClipStep;
 import rasterlab.app.clip.scene.ClipGrip;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The state that the lab shows at one moment.

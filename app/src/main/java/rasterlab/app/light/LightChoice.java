@@ -6,10 +6,10 @@ import java.util.Set;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.plan.least.PlanWish;
 import rasterlab.contract.Reflection;
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.LightModel;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.transform.SphericalView;
 
 /**

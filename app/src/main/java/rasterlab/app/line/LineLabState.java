@@ -1,7 +1,7 @@
 package rasterlab.app.line;
 
 import java.util.Optional;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The state that the lab shows at one moment.

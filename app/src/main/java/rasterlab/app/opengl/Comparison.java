@@ -1,6 +1,6 @@
 package rasterlab.app.opengl;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 

@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.exercises.predicting.Question;
 
 /**

@@ -1,6 +1,6 @@
 package rasterlab.app.row;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The user's choice, which undo brings back.

@@ -5,7 +5,7 @@ import java.util.List;
 import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurveTracer;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.spline.curve.CurveWalk;
 import rasterlab.engine.spline.curve.SteppedCurve;
 import rasterlab.engine.spline.exact.CurveTask;

@@ -1,7 +1,7 @@
 package rasterlab.app.spline;
 
 import rasterlab.app.spline.curve.CurveAt;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The state that the lab shows at one moment.

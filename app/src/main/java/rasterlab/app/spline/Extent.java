@@ -1,7 +1,7 @@
 package rasterlab.app.spline;
 
 import java.util.List;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The box around points; places without a number do not count.

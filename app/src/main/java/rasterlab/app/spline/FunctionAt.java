@@ -1,6 +1,6 @@
 package rasterlab.app.spline;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The function at one place.

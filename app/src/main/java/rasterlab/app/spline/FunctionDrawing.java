@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.spline.function.Overshoot;
 import rasterlab.engine.spline.function.PiecewiseCubic;
 import rasterlab.engine.spline.function.SplineFunctionTopic;

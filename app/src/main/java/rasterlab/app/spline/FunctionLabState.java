@@ -2,7 +2,7 @@ package rasterlab.app.spline;
 
 import java.util.List;
 import java.util.Optional;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The state that the lab shows at one moment.

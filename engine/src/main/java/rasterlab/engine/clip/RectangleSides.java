@@ -1,6 +1,6 @@
 package rasterlab.engine.clip;
 
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /** The sides of an upright rectangle. */
 public final class RectangleSides {

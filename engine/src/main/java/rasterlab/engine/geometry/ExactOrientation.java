@@ -1,6 +1,7 @@
 package rasterlab.engine.geometry;
 
 import java.math.BigDecimal;
+import rasterlab.engine.range.Finite;
 
 /**
  * The sign of (ax − cx)·(by − cy) − (ay − cy)·(bx − cx), whatever it costs.

@@ -1,5 +1,7 @@
 package rasterlab.engine.geometry;
 
+import rasterlab.engine.range.Finite;
+
 /**
  * The straight line p(μ) = p₁ + μ·(p₂ − p₁) through two points.
  *

@@ -1,5 +1,7 @@
 package rasterlab.engine.geometry;
 
+import rasterlab.engine.range.Finite;
+
 /**
  * The plane n·p = c, with f(p) = n·p − c on its two sides.
  *

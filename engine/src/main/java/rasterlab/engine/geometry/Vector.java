@@ -1,5 +1,7 @@
 package rasterlab.engine.geometry;
 
+import rasterlab.engine.range.Finite;
+
 /** A point of space, or the arrow to it from the origin. Coordinates are finite. */
 public record Vector(double x, double y, double z) {
     public Vector {

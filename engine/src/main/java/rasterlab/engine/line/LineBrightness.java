@@ -2,7 +2,7 @@ package rasterlab.engine.line;
 
 import java.util.Map;
 import rasterlab.contract.LineRasterizer;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * How much light a line gets for its length: the requirement of even brightness, measured.

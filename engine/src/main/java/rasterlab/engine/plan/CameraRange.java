@@ -1,6 +1,6 @@
 package rasterlab.engine.plan;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.transform.SphericalView;
 
 /**

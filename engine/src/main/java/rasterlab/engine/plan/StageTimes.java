@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.DoubleSupplier;
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
@@ -14,6 +13,7 @@ import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.raster.Raster;
 
 /**

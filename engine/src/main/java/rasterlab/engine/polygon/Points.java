@@ -1,7 +1,7 @@
 package rasterlab.engine.polygon;
 
 import java.util.Arrays;
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * Points of the plane in order, such as a polygon's corners. Coordinates are finite.

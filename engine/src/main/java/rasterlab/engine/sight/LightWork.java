@@ -1,6 +1,6 @@
 package rasterlab.engine.sight;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.sight.cost.PictureWork;
 
 /**

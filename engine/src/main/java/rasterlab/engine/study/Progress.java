@@ -1,6 +1,6 @@
 package rasterlab.engine.study;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * How far a study has come.

@@ -1,6 +1,6 @@
 package rasterlab.engine.texture;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * A texel that a filter looked up.

@@ -2,7 +2,7 @@ package rasterlab.exercises.drawing;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The rows or columns of a table that a picture has a place for.

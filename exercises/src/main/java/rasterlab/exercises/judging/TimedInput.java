@@ -1,6 +1,6 @@
 package rasterlab.exercises.judging;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * An input to time a method on.

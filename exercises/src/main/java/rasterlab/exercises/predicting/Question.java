@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.Predicting.PredictedField;
 import rasterlab.exercises.score.Message;

@@ -2,7 +2,7 @@ package rasterlab.exercises.published;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.exercises.score.Diagnostic;
 
 /**

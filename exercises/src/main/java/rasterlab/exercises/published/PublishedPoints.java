@@ -3,7 +3,7 @@ package rasterlab.exercises.published;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.List;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.exercises.score.ScorePoints;
 
 /**

@@ -2,7 +2,7 @@ package rasterlab.exercises.score;
 
 import java.util.Optional;
 import java.util.stream.Stream;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The result of a student's method for one input, as the child told it.

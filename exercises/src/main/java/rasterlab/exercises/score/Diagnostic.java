@@ -1,6 +1,6 @@
 package rasterlab.exercises.score;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * A message about a place in the student's source.

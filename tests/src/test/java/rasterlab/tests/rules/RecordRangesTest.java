@@ -60,7 +60,7 @@ class RecordRangesTest {
         assertEquals(
                 "",
                 String.join("\n", fresh),
-                "a compact constructor must check these by rasterlab.engine.geometry.Bounds or by a"
+                "a compact constructor must check these by rasterlab.engine.range.Bounds or by a"
                         + " condition of its own");
         assertEquals(UNCHECKED, names, "these are checked or gone: strike them off UNCHECKED");
     }

@@ -1,7 +1,7 @@
 package rasterlab.app.clip.outcome;
 
 import java.util.Arrays;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * One step of a method.

@@ -2,7 +2,7 @@ package rasterlab.app.clip.outcome;
 
 import java.util.List;
 import java.util.Optional;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.study.Deviation;
 
 /**

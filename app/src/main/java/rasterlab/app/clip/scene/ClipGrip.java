@@ -1,6 +1,6 @@
 package rasterlab.app.clip.scene;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * A point of the scene that can be moved.

@@ -2,8 +2,8 @@ package rasterlab.app.coordinates.figure;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.engine.geometry.Bounds;
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Bounds;
+import rasterlab.engine.range.Finite;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 /**

@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.figure;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.scene.House;
 import rasterlab.engine.scene.Mesh;
 

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wireframe;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 /**

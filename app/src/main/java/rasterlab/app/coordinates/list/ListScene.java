@@ -6,7 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.contract.MatrixFormula;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 
 /**

@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.PlaneRotation;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;

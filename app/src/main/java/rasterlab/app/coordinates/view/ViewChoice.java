@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.view;
 import java.util.EnumMap;
 import java.util.Map;
 import rasterlab.app.coordinates.figure.Viewpoint;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The user's choice, which undo brings back.

@@ -3,7 +3,7 @@ package rasterlab.app.exercise.outcome;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.score.Report;

@@ -1,6 +1,6 @@
 package rasterlab.app.light.panel;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * Something on the pictures that can be dragged.

@@ -9,12 +9,12 @@ import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import rasterlab.app.plan.CountedWork;
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.plan.Plan;
 import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.StageTimes;
 import rasterlab.engine.plan.Tolerance;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The work that was counted for a picture and the time that was measured, beside the work of the

@@ -1,8 +1,8 @@
 package rasterlab.app.plan.least;
 
 import java.util.Optional;
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.plan.Tolerance;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The user's wishes for the least picture.

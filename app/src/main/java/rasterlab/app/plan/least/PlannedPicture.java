@@ -1,7 +1,7 @@
 package rasterlab.app.plan.least;
 
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.plan.Plan;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.transform.SphericalView;
 

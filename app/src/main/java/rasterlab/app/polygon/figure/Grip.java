@@ -1,6 +1,6 @@
 package rasterlab.app.polygon.figure;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * A point of the figure that can be moved.

@@ -3,7 +3,7 @@ package rasterlab.app.spline.curve;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.Curve;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.spline.curve.CurvePlace;
 import rasterlab.engine.spline.curve.DeCasteljauCurve;
 import rasterlab.engine.spline.curve.PointStep;

@@ -1,6 +1,6 @@
 package rasterlab.app.spline.curve;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The user's wishes for the plan of a curve.

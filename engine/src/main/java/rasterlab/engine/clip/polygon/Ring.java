@@ -2,9 +2,9 @@ package rasterlab.engine.clip.polygon;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import rasterlab.engine.geometry.Finite;
 import rasterlab.engine.geometry.Orientation;
 import rasterlab.engine.polygon.MeetingEdges;
+import rasterlab.engine.range.Finite;
 
 /**
  * A closed polygon as corners, none equal to the one before, in either direction; {@link

@@ -3,7 +3,7 @@ package rasterlab.engine.clip.segment;
 import java.math.BigDecimal;
 import rasterlab.contract.SegmentSink;
 import rasterlab.engine.clip.UnroundedInterval;
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * The steps of {@link CyrusBeck} in any convex window, one edge per step.

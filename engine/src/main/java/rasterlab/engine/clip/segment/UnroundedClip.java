@@ -3,7 +3,7 @@ package rasterlab.engine.clip.segment;
 import rasterlab.contract.SegmentSink;
 import rasterlab.engine.clip.RectangleSides;
 import rasterlab.engine.clip.UnroundedInterval;
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /** Clips a plane segment without rounding before its last step; about a hundred times slower. */
 final class UnroundedClip {

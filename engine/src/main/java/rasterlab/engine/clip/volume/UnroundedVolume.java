@@ -3,7 +3,7 @@ package rasterlab.engine.clip.volume;
 import java.math.BigDecimal;
 import rasterlab.contract.SpaceSegmentSink;
 import rasterlab.engine.clip.UnroundedInterval;
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /** Clips a segment by the view volume without rounding before its last step. */
 final class UnroundedVolume {

@@ -2,7 +2,7 @@ package rasterlab.engine.geometry.meeting;
 
 import rasterlab.contract.LinePlane;
 import rasterlab.engine.geometry.Expansion;
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * The formula with both sums kept without error: μ = (c − n·p₁) / (n·p₂ − n·p₁), or μ = (n·a −

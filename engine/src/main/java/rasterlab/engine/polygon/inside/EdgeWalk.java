@@ -1,6 +1,6 @@
 package rasterlab.engine.polygon.inside;
 
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * One way round a polygon, edge by edge, for one point.

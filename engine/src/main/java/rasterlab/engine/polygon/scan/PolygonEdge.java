@@ -2,8 +2,8 @@ package rasterlab.engine.polygon.scan;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.geometry.Orientation;
+import rasterlab.engine.range.Bounds;
 
 /**
  * An edge of a polygon that is not level, from its upper end down, in pixel coordinates.

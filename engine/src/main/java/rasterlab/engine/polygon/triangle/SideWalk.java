@@ -2,7 +2,7 @@ package rasterlab.engine.polygon.triangle;
 
 import java.util.Map;
 import java.util.TreeMap;
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * One way round a triangle, side by side, for one point.

@@ -1,9 +1,9 @@
 package rasterlab.engine.polygon.triangulation;
 
 import java.util.Arrays;
-import rasterlab.engine.geometry.Finite;
 import rasterlab.engine.geometry.Orientation;
 import rasterlab.engine.polygon.MeetingEdges;
+import rasterlab.engine.range.Finite;
 
 /**
  * A polygon's corners without repetitions, counter-clockwise, each with its number in the input.

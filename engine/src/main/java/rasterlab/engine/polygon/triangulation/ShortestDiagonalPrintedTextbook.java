@@ -1,6 +1,6 @@
 package rasterlab.engine.polygon.triangulation;
 
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * The course's shortest-diagonal listing as printed, counting from 1 as it does.

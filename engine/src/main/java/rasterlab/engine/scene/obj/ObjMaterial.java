@@ -2,7 +2,7 @@ package rasterlab.engine.scene.obj;
 
 import java.util.List;
 import java.util.Optional;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * How the faces of a model look. Colours are red, green and blue, 0 to 1 unless a light shines

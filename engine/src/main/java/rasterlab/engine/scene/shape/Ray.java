@@ -1,6 +1,6 @@
 package rasterlab.engine.scene.shape;
 
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * A ray {@code p = o + t·d} and the nearest place where it has met a shape so far.

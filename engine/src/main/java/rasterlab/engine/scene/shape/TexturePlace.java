@@ -1,6 +1,6 @@
 package rasterlab.engine.scene.shape;
 
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * A place on a texture; beyond 0 to 1 it depends on how the texture repeats.

@@ -1,7 +1,7 @@
 package rasterlab.engine.spline.curve;
 
 import rasterlab.contract.Curve;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * Where a curve is, how fast it goes there and how it bends, by u along one span.

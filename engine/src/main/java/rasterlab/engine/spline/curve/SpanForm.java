@@ -1,7 +1,7 @@
 package rasterlab.engine.spline.curve;
 
 import rasterlab.contract.Curve;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * One span at one u in the matrix form: point(u) = T·M·G with T = [uⁿ … u² u 1].

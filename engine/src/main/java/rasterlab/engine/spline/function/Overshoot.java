@@ -3,7 +3,7 @@ package rasterlab.engine.spline.function;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * Where a piecewise cubic leaves the values of its two knots.

@@ -1,6 +1,6 @@
 package rasterlab.engine.transform.view;
 
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * One of the numbered steps from the world to the eye.

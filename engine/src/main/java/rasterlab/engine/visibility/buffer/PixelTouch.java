@@ -2,7 +2,7 @@ package rasterlab.engine.visibility.buffer;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 
 /**
  * The effect of a face on one pixel.

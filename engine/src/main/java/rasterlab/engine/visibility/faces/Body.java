@@ -1,8 +1,8 @@
 package rasterlab.engine.visibility.faces;
 
 import java.util.Arrays;
-import rasterlab.engine.geometry.Finite;
 import rasterlab.engine.geometry.VertexNumber;
+import rasterlab.engine.range.Finite;
 
 /**
  * A body and an eye: an input of topic {@code visible-faces}.

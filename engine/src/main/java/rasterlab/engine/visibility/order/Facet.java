@@ -3,7 +3,7 @@ package rasterlab.engine.visibility.order;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.range.Bounds;
 import rasterlab.engine.scene.Mesh;
 
 /**

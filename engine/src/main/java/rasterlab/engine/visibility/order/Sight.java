@@ -3,7 +3,7 @@ package rasterlab.engine.visibility.order;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.range.Finite;
 
 /**
  * Polygons and an eye: an input of topic {@code depth-order}.

@@ -1,4 +1,4 @@
-package rasterlab.engine.geometry;
+package rasterlab.engine.range;
 
 /** Refuses numbers outside of their range. */
 public final class Bounds {

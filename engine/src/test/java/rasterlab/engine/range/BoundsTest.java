@@ -1,4 +1,4 @@
-package rasterlab.engine.geometry;
+package rasterlab.engine.range;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

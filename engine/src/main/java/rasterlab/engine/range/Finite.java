@@ -1,4 +1,4 @@
-package rasterlab.engine.geometry;
+package rasterlab.engine.range;
 
 /** Refuses numbers that are not numbers. */
 public final class Finite {
