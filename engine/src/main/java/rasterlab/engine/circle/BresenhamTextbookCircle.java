@@ -13,8 +13,8 @@ import rasterlab.engine.raster.Work;
  * times whether its images differ or not, so those on axes and diagonals are sent twice, and the
  * one pixel of a circle without radius eight times.
  *
- * <p>Source: the course's article "Coordinate systems: world, object, observer and screen", section
- * on circles and ellipses, fig. 7.
+ * <p>Source: article "Coordinate systems: world, object, observer and screen", section on circles
+ * and ellipses, fig. 7.
  */
 public final class BresenhamTextbookCircle implements SteppedCircle {
     @Override

@@ -11,8 +11,8 @@ import rasterlab.engine.raster.Work;
  * only the centre is left. From half-axes of about 400 on the products do not fit into 32 bits, and
  * the sign of F means nothing.
  *
- * <p>Source: the course's article "Coordinate systems: world, object, observer and screen", section
- * on circles and ellipses, fig. 7, which names the ellipse and leaves both to the reader.
+ * <p>Source: article "Coordinate systems: world, object, observer and screen", section on circles
+ * and ellipses, fig. 7, which names the ellipse and leaves both to the reader.
  */
 public final class BresenhamTextbookEllipse implements SteppedEllipse {
     @Override

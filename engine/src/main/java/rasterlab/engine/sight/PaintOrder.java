@@ -13,7 +13,7 @@ import rasterlab.engine.visibility.painter.Painter;
  * wholly before its plane. These are the first four of Newell's tests.
  *
  * <p>Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
- * 1972, pp. 443–450.
+ * ACM Annual Conference, 1972, pp. 443–450.
  */
 public final class PaintOrder {
     /** How far beyond a plane still counts as in it, as a share of the distance from the eye. */

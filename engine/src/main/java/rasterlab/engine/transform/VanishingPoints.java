@@ -13,7 +13,7 @@ import org.joml.Vector4d;
  * An axis whose number is 0 has neither: its parallels stay parallel.
  *
  * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "perspective
- * transformations".
+ * transformations", pp. 32–36.
  */
 public final class VanishingPoints {
     private VanishingPoints() {}

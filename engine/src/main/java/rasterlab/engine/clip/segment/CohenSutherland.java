@@ -20,8 +20,8 @@ import rasterlab.contract.SegmentSink;
  * coordinate a cut sets is the side's own, and where the computed one is so near a side that its
  * rounding might change a bit, {@link UnroundedClip} clips the segment instead.
  *
- * <p>Source: W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics, 1973, where
- * the method of D. Cohen and I. Sutherland is described.
+ * <p>Source: W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics, McGraw-Hill,
+ * 1973, where the method of D. Cohen and I. Sutherland is described.
  */
 public final class CohenSutherland implements SteppedSegmentClipper {
     static final int TOP = 1;

@@ -1,8 +1,8 @@
 package rasterlab.engine.clip.segment;
 
 /**
- * The listing of the course's other text, in real numbers, as printed, kept to be looked at beside
- * {@link CohenSutherland}.
+ * Kazantsev's listing in real numbers as printed, kept to be looked at beside {@link
+ * CohenSutherland}.
  *
  * <p>Within the branch for "below" the cut at the bottom hangs on a second test for "above", which
  * never holds there, and the branches for right and left hang on that test's else: an end below but
@@ -12,7 +12,8 @@ package rasterlab.engine.clip.segment;
  * square window from (0, 0) the second slip is not seen. Only ends above the window are cut as they
  * should be. NaN counts as inside.
  *
- * <p>Source: the course's textbook chapter on clipping, procedure CLIP.
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 4,
+ * procedure CLIP.
  */
 public final class CohenSutherlandNestedTextbook implements SteppedSegmentClipper {
     @Override

@@ -3,7 +3,7 @@ package rasterlab.engine.clip.segment;
 import rasterlab.contract.SegmentSink;
 
 /**
- * The course text's listing in whole numbers with its faults, kept to be looked at beside {@link
+ * Ponomarev's listing in whole numbers with its faults, kept to be looked at beside {@link
  * CohenSutherland}.
  *
  * <p>It draws what it has when its loop ends, even where that is because the segment lies wholly
@@ -11,7 +11,7 @@ import rasterlab.contract.SegmentSink;
  * becomes 0. Coordinates are ints: fractions are rounded away, those beyond an int become the
  * largest one, and differences overflow from 2³⁰ on.
  *
- * <p>Source: the course's lecture text on clipping, listing of the method by Sutherland and Cohen.
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, fig. 68.
  */
 public final class CohenSutherlandTextbook implements SteppedSegmentClipper {
     private static final int LEFT = 1;

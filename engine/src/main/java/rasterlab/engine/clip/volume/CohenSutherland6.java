@@ -15,8 +15,8 @@ package rasterlab.engine.clip.volume;
  * where they are more than {@value #SURE} apart their order is the exact one; nearer, it is handed
  * over.
  *
- * <p>Source: the course's textbook, chapter on the view volume; W. M. Newman, R. F. Sproull,
- * Principles of Interactive Computer Graphics, 1973.
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 5;
+ * W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics, McGraw-Hill, 1973.
  */
 public final class CohenSutherland6 implements SteppedVolumeClipper {
     private static final double SURE = 0x1p-48;

@@ -18,7 +18,8 @@ package rasterlab.engine.clip.volume;
  * twice as much, their order is the exact one; nearer, it is handed over too.
  *
  * <p>Source: J. F. Blinn, M. E. Newell, Clipping using homogeneous coordinates, SIGGRAPH 1978, pp.
- * 245–251; the matrix is the course textbook's.
+ * 245–251; the matrix after A. V. Kazantsev, Foundations of computer graphics for programmers,
+ * Kazan, 2005, ch. 5.
  */
 public final class HomogeneousClip implements SteppedVolumeClipper {
     private static final double MOST_SHIFT = 0x1p-42;

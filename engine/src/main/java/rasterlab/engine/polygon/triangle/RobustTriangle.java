@@ -3,7 +3,7 @@ package rasterlab.engine.polygon.triangle;
 import rasterlab.engine.geometry.Orientation;
 
 /**
- * Träger's sign method without its failures: doubles where their signs are certain, exact {@link
+ * Trager's sign method without its failures: doubles where their signs are certain, exact {@link
  * Orientation}s where not.
  *
  * <p>Each side has {@code s = (qx − px)·y − (qy − py)·x + c}, c = (qy − py)·px − (qx − px)·py. With

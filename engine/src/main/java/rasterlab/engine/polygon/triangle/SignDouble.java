@@ -1,7 +1,7 @@
 package rasterlab.engine.polygon.triangle;
 
 /**
- * Träger's sign method in double: inside where three cross products have equal sign bits.
+ * Trager's sign method in double: inside where three cross products have equal sign bits.
  *
  * <p>{@code side(p, q) = (y − py)·(qx − px) − (x − px)·(qy − py)}, for the sides a–c, c–b and b–a,
  * compared by the exclusive or of their bits as in {@link SignInt}.
@@ -10,7 +10,8 @@ package rasterlab.engine.polygon.triangle;
  * the corners go; near a side the products' rounding decides. Three zeros agree, so of corners on
  * one line the whole line is inside.
  *
- * <p>Source: D. Träger's idea of 2005, told in the course's text on analytic geometry.
+ * <p>Source: D. Trager's idea of 2005, in A. V. Kazantsev, Foundations of computer graphics for
+ * programmers, Kazan, 2005, ch. 1.
  */
 final class SignDouble implements SteppedTriangleTest {
     @Override

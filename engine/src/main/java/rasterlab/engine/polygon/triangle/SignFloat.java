@@ -1,12 +1,13 @@
 package rasterlab.engine.polygon.triangle;
 
 /**
- * Träger's sign method in float: {@link SignDouble} with half the bits.
+ * Trager's sign method in float: {@link SignDouble} with half the bits.
  *
  * <p>Coordinates are rounded to 24 bits first: 2²⁴ + 1 and 2²⁴ become one. Those beyond the largest
  * float are refused. Products overflow from about 2⁶³ on and vanish below 2⁻⁷⁵.
  *
- * <p>Source: D. Träger's idea of 2005, told in the course's text on analytic geometry.
+ * <p>Source: D. Trager's idea of 2005, in A. V. Kazantsev, Foundations of computer graphics for
+ * programmers, Kazan, 2005, ch. 1.
  */
 final class SignFloat implements SteppedTriangleTest {
     @Override

@@ -1,7 +1,7 @@
 package rasterlab.engine.polygon.triangle;
 
 /**
- * Träger's sign method in int: inside where three cross products have equal sign bits.
+ * Trager's sign method in int: inside where three cross products have equal sign bits.
  *
  * <p>{@code side(p, q) = (y − py)·(qx − px) − (x − px)·(qy − py)}, for the sides a–c, c–b and b–a.
  * Two numbers have different sign bits where their exclusive or is negative; the second pair is
@@ -11,7 +11,8 @@ package rasterlab.engine.polygon.triangle;
  * positive number, so the boundary is inside where the sides' values are positive and outside where
  * the corners go the other way round.
  *
- * <p>Source: D. Träger's idea of 2005, told in the course's text on analytic geometry.
+ * <p>Source: D. Trager's idea of 2005, in A. V. Kazantsev, Foundations of computer graphics for
+ * programmers, Kazan, 2005, ch. 1.
  */
 final class SignInt implements SteppedTriangleTest {
     @Override

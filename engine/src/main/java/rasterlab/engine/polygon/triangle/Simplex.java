@@ -12,7 +12,8 @@ import java.util.Map;
  * <p>A triangle without area has no inverse and is refused. The division rounds, so points on the
  * sides fall to either.
  *
- * <p>Source: D. Chistyakov's suggestion of 1999, told in the course's text on analytic geometry.
+ * <p>Source: D. Chistyakov's suggestion of 1999, in A. V. Kazantsev, Foundations of computer
+ * graphics for programmers, Kazan, 2005, ch. 1.
  */
 final class Simplex implements SteppedTriangleTest {
     @Override

@@ -10,8 +10,9 @@ package rasterlab.engine.polygon.triangulation;
  * <p>Each cut looks at all ears: n²/2 diagonals for n corners. At most {@value
  * EarClipping#MOST_CORNERS} corners are taken.
  *
- * <p>Source: the course's lecture text on triangulation, with the ears of G. H. Meisters, Polygons
- * have ears, American Mathematical Monthly 82, 1975, pp. 648–651.
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, fig. 82, with
+ * the ears of G. H. Meisters, Polygons have ears, American Mathematical Monthly 82, 1975, pp.
+ * 648–651.
  */
 final class ShortestDiagonal implements SteppedTriangulator {
     @Override

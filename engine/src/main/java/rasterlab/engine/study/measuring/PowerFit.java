@@ -8,7 +8,7 @@ import java.util.Optional;
  * in 95 of 100 fits, should the logarithms scatter normally about the line.
  *
  * <p>Source: N. Draper and H. Smith, Applied Regression Analysis, 3rd edition, Wiley 1998, section
- * 1.4; t by G. W. Hill, Algorithm 396, CACM 13(10), 1970, pp. 619–620.
+ * 1.4; t by G. W. Hill, Algorithm 396, Communications of the ACM 13(10), 1970, pp. 619–620.
  *
  * @param exponent p
  * @param margin the interval is p ± margin

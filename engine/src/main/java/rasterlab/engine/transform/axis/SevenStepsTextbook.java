@@ -10,8 +10,8 @@ import rasterlab.engine.transform.Angle;
  * towards it, and R_y = [d −n; n d] in the coordinates x and z, which would bring it onto x and not
  * onto z. Where d = 0 it divides 0 by 0.
  *
- * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "rotation
- * about a line".
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, p. 21,
+ * rotation about a line.
  */
 public final class SevenStepsTextbook extends SteppedAxisRotation {
     @Override

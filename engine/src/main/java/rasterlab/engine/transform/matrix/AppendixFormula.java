@@ -13,7 +13,7 @@ import rasterlab.engine.transform.axis.SevenStepsTextbook;
  * which do not bring the axis onto z.
  *
  * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, appendix and
- * "rotation about a line".
+ * p. 21, rotation about a line.
  */
 public final class AppendixFormula implements MatrixFormula {
     /**

@@ -36,7 +36,7 @@ final class MatrixMutants {
                         : RIGHT.rows(name, parameters);
     }
 
-    /** One matrix as the appendix of the course's text has it. */
+    /** One matrix as the appendix of Ponomarev's book has it. */
     private static MatrixFormula printed(String wrong) {
         return (name, parameters) -> (name.equals(wrong) ? PRINTED : RIGHT).rows(name, parameters);
     }

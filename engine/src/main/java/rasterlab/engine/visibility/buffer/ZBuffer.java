@@ -28,7 +28,8 @@ import rasterlab.engine.visibility.VisibilityWork;
  * and finds the pixels inside, row by row. {@link NearnessPlane} holds the linear function of a
  * face. {@link SpareDepths} lends the last frame's memory.
  *
- * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
+ * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, PhD
+ * thesis, University of Utah, 1974.
  */
 final class ZBuffer implements SteppedVisibility {
     private final DepthCodes.DepthCodesFactory format;

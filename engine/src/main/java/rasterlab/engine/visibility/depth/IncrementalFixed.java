@@ -10,7 +10,8 @@ import rasterlab.engine.visibility.depth.FixedDepth.FixedPointCodes;
  * <p>The step is rounded to a multiple of 2ⁿ⁻³², so p pixels drift by up to (p + 1)·2ⁿ⁻³³ codes:
  * 1/16 of a code over 8192 pixels for 16 bits, 16 codes for 24 bits.
  *
- * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
+ * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, PhD
+ * thesis, University of Utah, 1974.
  */
 final class IncrementalFixed implements SteppedDepth {
     private final int fraction;

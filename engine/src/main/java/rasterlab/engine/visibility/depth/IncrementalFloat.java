@@ -9,7 +9,8 @@ import rasterlab.engine.visibility.depth.FloatDepth.FloatCodes;
  * <p>Each sum is rounded by up to 2⁻²⁵, so p pixels drift by up to about p·2⁻²⁵: 2⁻¹² over 8192
  * pixels where all roundings go one way.
  *
- * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
+ * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, PhD
+ * thesis, University of Utah, 1974.
  */
 final class IncrementalFloat implements SteppedDepth {
     private final FloatDepth direct = new FloatDepth();

@@ -18,7 +18,7 @@ import java.util.Map;
  * may hide Q if it is the earlier and their outlines overlap.
  *
  * <p>Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
- * 1972, pp. 443–450.
+ * ACM Annual Conference, 1972, pp. 443–450.
  */
 final class FiveTests {
     private final long[] asked = new long[5];

@@ -23,7 +23,7 @@ import rasterlab.contract.PieceSink;
  * each polygon is marked at most once before one is painted.
  *
  * <p>Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
- * 1972, pp. 443–450.
+ * ACM Annual Conference, 1972, pp. 443–450.
  */
 final class Newell implements SteppedOrder {
     /** The most pieces, against inputs whose cuts would fill the memory. */

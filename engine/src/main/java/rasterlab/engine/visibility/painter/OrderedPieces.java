@@ -30,8 +30,8 @@ import rasterlab.engine.visibility.order.SteppedOrder;
  * the edges of the face only nearly, and pixels on such an edge would be lost.
  *
  * <p>Sources: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
- * 1972, pp. 443–450; H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface generation by a priori
- * tree structures, SIGGRAPH 1980, pp. 124–133.
+ * ACM Annual Conference, 1972, pp. 443–450; H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface
+ * generation by a priori tree structures, SIGGRAPH 1980, pp. 124–133.
  */
 final class OrderedPieces implements SteppedVisibility {
     private final SteppedOrder method;

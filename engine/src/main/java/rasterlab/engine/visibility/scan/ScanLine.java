@@ -19,7 +19,8 @@ import rasterlab.engine.visibility.VisibilityWork;
  * so that every method owns the same pixels.
  *
  * <p>Sources: C. Wylie, G. Romney, D. Evans, A. Erdahl, Half-tone perspective drawings by computer,
- * AFIPS 1967, pp. 49–58; G. S. Watkins, PhD thesis, University of Utah, 1970.
+ * AFIPS 1967, pp. 49–58; G. S. Watkins, A real time visible surface algorithm, PhD thesis,
+ * University of Utah, 1970.
  */
 public final class ScanLine implements SteppedVisibility {
     @Override

@@ -5,7 +5,8 @@ import rasterlab.contract.DepthTriangleFiller;
 /**
  * Each row begins with the depth at its first pixel's centre and steps on by ∂z/∂x.
  *
- * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
+ * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, PhD
+ * thesis, University of Utah, 1974.
  */
 final class RowsTriangle implements DepthTriangleFiller {
     @Override
