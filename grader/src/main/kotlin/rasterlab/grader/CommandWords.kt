@@ -43,6 +43,16 @@ internal class CommandWords private constructor(
                 unknownCommand(failure.commandLine, failure.unmatched.first())
             }
 
+            failure.argSpec?.type()?.isEnum == true && failure.value != null -> {
+                unknownWord(failure.argSpec, failure.value)
+            }
+
+            failure.argSpec?.type() == Int::class.javaPrimitiveType && failure.value != null -> {
+                val range = ServeCommand.RANGES[name(failure.argSpec)]
+                val key = if (range == null) "whole" else "whole.range"
+                say(key, name(failure.argSpec), failure.value, "${range?.first}", "${range?.last}")
+            }
+
             language == Locale.ENGLISH -> {
                 failure.message.orEmpty()
             }
@@ -78,6 +88,16 @@ internal class CommandWords private constructor(
         val known = command.subcommands.keys
         val complaint = say("unknown.command", name, known.joinToString())
         return Closest.to(name, known).map { say("near", complaint, it) }.orElse(complaint)
+    }
+
+    /** Says which words an option takes, and which may have been meant. */
+    private fun unknownWord(
+        argument: CommandLine.Model.ArgSpec,
+        value: String,
+    ): String {
+        val known = argument.type().enumConstants.map { "$it".lowercase(Locale.ROOT) }
+        val complaint = say("unknown.word", name(argument), known.joinToString(), value)
+        return Closest.to(value, known).map { say("near", complaint, it) }.orElse(complaint)
     }
 
     private fun name(argument: CommandLine.Model.ArgSpec): String =

@@ -353,13 +353,24 @@ internal class ServeCommand(
         }
     }
 
-    private companion object {
-        const val LAST_PORT = 65_535
-        const val MOST_WORKERS = 64
-        const val MOST_A_MINUTE = 100_000
-        const val LEAST_HEAP = 64
-        const val MOST_HEAP = 65_536
-        const val MIB_BITS = 20
+    companion object {
+        private const val LAST_PORT = 65_535
+        private const val MOST_WORKERS = 64
+        private const val MOST_A_MINUTE = 100_000
+        private const val LEAST_HEAP = 64
+        private const val MOST_HEAP = 65_536
+        private const val MIB_BITS = 20
+
+        /** The numbers that an option takes. */
+        val RANGES =
+            mapOf(
+                "--port" to 0..LAST_PORT,
+                "--workers" to 1..MOST_WORKERS,
+                "--heap" to LEAST_HEAP..MOST_HEAP,
+                "--entries-per-minute" to 1..MOST_A_MINUTE,
+                "--submissions-per-minute" to 1..MOST_A_MINUTE,
+                "--waiting" to 1..MOST_A_MINUTE,
+            )
     }
 }
 

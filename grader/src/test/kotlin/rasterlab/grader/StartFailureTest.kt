@@ -8,6 +8,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs
 import org.junit.jupiter.api.condition.OS
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.CsvSource
 import org.junit.jupiter.params.provider.ValueSource
 import picocli.CommandLine.Model.CommandSpec
 import rasterlab.grader.storage.CannotStart
@@ -49,6 +50,39 @@ class StartFailureTest {
             "./lab grader serve: Invalid value for option '$option': must not be empty",
             said(option, "", "--workers", "0"),
         )
+    }
+
+    @ParameterizedTest(name = "{0} does not say which numbers it takes")
+    @CsvSource("--workers, 1, 64", "--heap, 64, 65536", "--waiting, 1, 100000")
+    fun `a word for a number is refused without the range`(
+        option: String,
+        least: Int,
+        most: Int,
+    ) {
+        assertEquals(
+            "./lab grader serve: $option nix: expected a whole number from $least to $most",
+            said(option, "nix"),
+        )
+        assertTrue("$option nix: нужно целое число от $least до $most" in russian(option, "nix"))
+    }
+
+    @Test
+    fun `a word that is none of the known is refused in capital letters`() {
+        val printed = StringWriter()
+        val commands = commandLine().setErr(PrintWriter(printed, true))
+        commands.execute("course", "grades", "--course", "c", "--for", "moodel")
+        assertEquals(
+            "./lab grader course grades: --for: expected one of people, moodle, canvas, got 'moodel'; " +
+                "did you mean 'moodle'?",
+            printed.toString().trim(),
+        )
+    }
+
+    private fun russian(vararg options: String): String {
+        val printed = StringWriter()
+        val commands = commandLine(CommandWords.asked("--lang", "ru")).setErr(PrintWriter(printed, true))
+        assertEquals(2, commands.execute("serve", *options))
+        return "$printed"
     }
 
     @Test

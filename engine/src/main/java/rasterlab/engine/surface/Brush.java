@@ -50,7 +50,9 @@ public interface Brush {
      */
     static Brush pattern(int[][] tile) {
         if (tile.length == 0 || tile[0].length == 0)
-            throw new IllegalArgumentException("a pattern needs at least 1×1 pixel");
+            throw new IllegalArgumentException(
+                    "a pattern must have at least 1×1 pixel, got "
+                            + (tile.length == 0 ? "no row" : "rows of no pixel"));
         for (int y = 0; y < tile.length; y++)
             if (tile[y].length != tile[0].length)
                 throw new IllegalArgumentException(

@@ -15,14 +15,28 @@ final class InputRefusals implements Refusals {
     private static final int LONGEST_QUOTE = 40;
 
     private final JsonParser parser;
+    private final boolean lacking;
 
     InputRefusals(JsonParser parser) {
+        this(parser, false);
+    }
+
+    private InputRefusals(JsonParser parser, boolean lacking) {
         this.parser = parser;
+        this.lacking = lacking;
+    }
+
+    /** Refuses a null that stands for a value that was not given. */
+    static InputRefusals ofLacking(JsonParser parser) {
+        return new InputRefusals(parser, true);
     }
 
     @Override
     public InvalidInput other(Expected allowed) throws IOException {
-        return invalid("expected " + allowed.words() + ", got " + quoted());
+        return invalid(
+                lacking
+                        ? "missing; expected " + allowed.words()
+                        : "expected " + allowed.words() + ", got " + quoted());
     }
 
     @Override
@@ -44,7 +58,7 @@ final class InputRefusals implements Refusals {
 
     @Override
     public InvalidInput missing(Given object, Field<?> field) {
-        return object.invalid(field.name(), "missing");
+        return object.invalid(field.name(), StrictJson.lacking(field));
     }
 
     @Override

@@ -97,6 +97,19 @@ public final class StrictJson implements ValueSource {
         return given;
     }
 
+    /** Says that a field is missing and what it may hold, as its shape would refuse null. */
+    static String lacking(Field<?> field) {
+        try (JsonParser parser = FACTORY.createParser("null")) {
+            parser.nextToken();
+            field.shape().read(new StrictJson(parser, InputRefusals.ofLacking(parser)));
+            return "missing";
+        } catch (InvalidInput e) {
+            return e.reason();
+        } catch (IOException e) {
+            throw new AssertionError("reading from memory failed", e);
+        }
+    }
+
     /** Reads the value at a place of a file of people, which refuses in words of its own. */
     static StrictJson at(JsonPlace<?> place) throws IOException {
         return at(place, place.node());

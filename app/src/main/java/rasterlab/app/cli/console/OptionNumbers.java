@@ -1,5 +1,6 @@
 package rasterlab.app.cli.console;
 
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
 /** Numbers as options take them. */
@@ -21,8 +22,21 @@ public final class OptionNumbers {
             return Integer.valueOf(text.strip());
         } catch (NumberFormatException e) {
             throw new TypeConversionException(
-                    "'%s' is not a whole number from %d to %d"
-                            .formatted(text, Integer.MIN_VALUE, Integer.MAX_VALUE));
+                    text.strip().matches("[+-]?\\d+")
+                            ? "'%s' is not a whole number from %d to %d"
+                                    .formatted(text, Integer.MIN_VALUE, Integer.MAX_VALUE)
+                            : "'" + text + "' is not a whole number; expected one such as 1 or 20");
+        }
+    }
+
+    /** Whole numbers from 1 on. */
+    public static final class FromOne implements ITypeConverter<Integer> {
+        @Override
+        public Integer convert(String text) {
+            if (!text.strip().matches("[+-]?\\d+"))
+                throw new TypeConversionException(
+                        "'" + text + "' is not a whole number; expected one of at least 1");
+            return whole(text);
         }
     }
 }

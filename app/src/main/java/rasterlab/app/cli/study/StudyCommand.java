@@ -14,6 +14,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.cli.console.Console;
+import rasterlab.app.cli.console.OptionNumbers;
 import rasterlab.app.findings.Findings;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
@@ -92,6 +93,7 @@ public final class StudyCommand implements Callable<Integer> {
 
     @Option(
             names = "--rounds",
+            converter = OptionNumbers.FromOne.class,
             paramLabel = "N",
             description = "timed rounds of each method, at least 1")
     private Optional<Integer> rounds = Optional.empty();

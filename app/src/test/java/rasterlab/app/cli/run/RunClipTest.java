@@ -144,7 +144,7 @@ class RunClipTest {
                         "weiler-atherton")
                 .assertComplains(
                         3,
-                        "./lab run: weiler-atherton refuses: subject must be simple, but the edges"
+                        "./lab run: weiler-atherton refuses: polygon must be simple, but the edges"
                                 + " from corners (1, 1) and (9, 1) meet");
     }
 

@@ -44,7 +44,10 @@ class RunInputTest {
                         "another type than an object",
                         "[1,2]",
                         "/: expected a JSON object with from, to, got an array"),
-                argumentSet("missing field is 0", "{\"from\":[0,0]}", "/to: missing"),
+                argumentSet(
+                        "missing field is 0",
+                        "{\"from\":[0,0]}",
+                        "/to: missing; expected an array of 2 whole numbers"),
                 argumentSet(
                         "unknown field is ignored",
                         "{\"form\":[0,0],\"to\":[1,1]}",

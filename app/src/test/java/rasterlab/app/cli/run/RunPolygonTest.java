@@ -93,7 +93,8 @@ class RunPolygonTest {
                         "point-in-polygon",
                         "robust",
                         "{\"polygon\":" + SQUARE + "}",
-                        "/points: missing"),
+                        "/points: missing; expected an array of 0 to 10000000 points of 2 numbers"
+                                + " each"),
                 argumentSet(
                         "one point is a polygon",
                         2,

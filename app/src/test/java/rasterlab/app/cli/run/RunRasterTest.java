@@ -135,7 +135,7 @@ class RunRasterTest {
                         "midpoint",
                         "{\"center\":[0,0]}",
                         2,
-                        "/radius: missing"),
+                        "/radius: missing; expected a whole number from 0 to 2147483647"),
                 argumentSet(
                         "the radius is no number",
                         "ellipse",

@@ -44,7 +44,7 @@ class RunSplineTest {
         without.assertDone();
         assertEquals(natural.out(), without.out());
         Ran.labReading(knots + "}", "run", "spline-function", "cubic")
-                .assertComplains(2, "./lab run: /ends: missing");
+                .assertComplains(2, "./lab run: /ends: missing; expected a JSON object with kind");
     }
 
     @Test
@@ -126,7 +126,7 @@ class RunSplineTest {
                         spline,
                         "cubic",
                         HAT + "{\"kind\":\"slopes\",\"left\":1}}",
-                        "/ends/right: missing"),
+                        "/ends/right: missing; expected a finite number"),
                 argumentSet(
                         "slope of natural ends is ignored",
                         spline,

@@ -6,12 +6,15 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.Ran;
+import rasterlab.engine.transform.matrix.NamedMatrices;
+import rasterlab.engine.transform.matrix.NamedMatrix;
 
 /** Topics matrix, transform, rotate and rotate-axis on the command line. */
 class TransformRunTest {
@@ -145,14 +148,23 @@ class TransformRunTest {
     static Stream<Arguments> complaints() {
         String axis = "\"points\":[],\"degrees\":1,\"through\":[0,0,0],\"direction\":";
         return Stream.of(
-                argumentSet("no name", 2, "matrix", "formula", "{\"angle\":1}", "/name: missing"),
+                argumentSet(
+                        "no name",
+                        2,
+                        "matrix",
+                        "formula",
+                        "{\"angle\":1}",
+                        "/name: missing; expected one of "
+                                + NamedMatrices.all().stream()
+                                        .map(NamedMatrix::name)
+                                        .collect(Collectors.joining(", "))),
                 argumentSet(
                         "a missing angle is 0",
                         2,
                         "matrix",
                         "formula",
                         "{\"name\":\"ROT3DX\"}",
-                        "/angle: missing"),
+                        "/angle: missing; expected a finite number of degrees"),
                 argumentSet(
                         "a foreign parameter is overlooked",
                         2,

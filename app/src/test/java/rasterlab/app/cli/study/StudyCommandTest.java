@@ -275,6 +275,11 @@ class StudyCommandTest {
     void settingsThatCannotBeMeasuredWithAreRefused() {
         Ran.lab("study", "line", "--rounds", "0")
                 .assertComplains(2, "./lab study: --rounds must be at least 1, got 0");
+        Ran.lab("study", "line", "--rounds", "x")
+                .assertComplains(
+                        2,
+                        "./lab study: invalid value for option '--rounds': 'x' is not a whole"
+                                + " number; expected one of at least 1 (see `./lab study --help`)");
         Ran.lab("study", "line", "--seconds", "-1")
                 .assertComplains(2, "./lab study: --seconds must be from 0 to 86400, got -1");
         Ran.lab("study", "line", "--chart", "pie")

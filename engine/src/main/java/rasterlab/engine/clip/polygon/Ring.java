@@ -71,7 +71,7 @@ public record Ring(double[] xy) {
      * @throws IllegalArgumentException as {@link #of}, or if edges meet elsewhere; names them
      */
     static Ring simple(double[] corners) {
-        Ring ring = of("subject", corners);
+        Ring ring = of("polygon", corners);
         MeetingEdges.of(ring.axis(0), ring.axis(1))
                 .ifPresent(
                         pair -> {
@@ -88,7 +88,7 @@ public record Ring(double[] xy) {
         String one = place(pair.one());
         String other = place(pair.other());
         return new IllegalArgumentException(
-                "subject must be simple, but "
+                "polygon must be simple, but "
                         + (one.equals(other)
                                 ? "corner " + one + " is there twice"
                                 : "the edges from corners " + one + " and " + other + " meet"));

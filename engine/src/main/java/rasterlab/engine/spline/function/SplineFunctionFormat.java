@@ -88,7 +88,7 @@ public final class SplineFunctionFormat
             SplineEnds.Kind kind = KINDS.get(given.get(KIND));
             for (Field<Double> slope : List.of(LEFT, RIGHT))
                 if (kind == SplineEnds.Kind.SLOPES && !given.has(slope))
-                    throw given.invalid(slope.name(), "missing");
+                    throw given.invalid(slope.name(), "missing; expected a finite number");
                 else if (kind != SplineEnds.Kind.SLOPES && given.get(slope, 0.0) != 0)
                     throw given.invalid(
                             slope.name(),
@@ -170,7 +170,7 @@ public final class SplineFunctionFormat
     public Supplier<Written> prepared(Call<SplineFunction> call, Given given) {
         SplineProblem problem = read(given);
         if (!given.has(ENDS) && call.method().promise() != SplineFunction.Promise.SHAPE)
-            throw new InvalidInput("/ends", "missing");
+            throw new InvalidInput("/ends", "missing; expected a JSON object with kind");
         return () -> answered(call, problem);
     }
 

@@ -182,7 +182,13 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
 
     private static double[] otherwise(Given given, MatrixParameter parameter) {
         return new double[] {
-            parameter.otherwise().orElseThrow(() -> given.invalid(parameter.name(), "missing"))
+            parameter
+                    .otherwise()
+                    .orElseThrow(
+                            () ->
+                                    given.invalid(
+                                            parameter.name(),
+                                            "missing; expected " + parameter.words()))
         };
     }
 

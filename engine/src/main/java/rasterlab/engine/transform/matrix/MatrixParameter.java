@@ -69,6 +69,11 @@ public record MatrixParameter(
         }
     }
 
+    /** What it may be, in words. */
+    String words() {
+        return size == 1 ? range.text() : "an array of " + size + " numbers";
+    }
+
     /** Whether it is a place in space and not a direction, a number or an angle. */
     boolean place() {
         return size == 3 && !name.equals("direction") && !name.equals("up");

@@ -153,11 +153,11 @@ class PolygonClipTest {
     static Stream<Arguments> refused() {
         double[] proper = {2, 2, 8, 3, 5, 8};
         return Stream.of(
-                Arguments.of(TEN, new double[] {}, "subject must have from 3"),
+                Arguments.of(TEN, new double[] {}, "polygon must have from 3"),
                 Arguments.of(TEN, new double[] {5, 5}, "different corners, got 1"),
                 Arguments.of(TEN, new double[] {1, 1, 1, 1, 2, 2}, "different corners, got 2"),
                 Arguments.of(TEN, new double[] {1, 2, 3}, "got 3 numbers"),
-                Arguments.of(TEN, new double[] {1, 1, 2, 2, 3, 3}, "subject must be simple"),
+                Arguments.of(TEN, new double[] {1, 1, 2, 2, 3, 3}, "polygon must be simple"),
                 Arguments.of(
                         TEN, new double[] {1, 1, 9, 9, 9, 1, 1, 9}, "(1.0, 1.0) and (9.0, 1.0)"),
                 Arguments.of(TEN, new double[] {1, 1, 9, 1, 1, 1, 5, 5}, "is there twice"),
@@ -169,7 +169,7 @@ class PolygonClipTest {
                 Arguments.of(
                         TEN,
                         new double[] {1, 1, 9, Double.NaN, 5, 5},
-                        "subject corner 1 must be finite, got (9.0, NaN)"),
+                        "polygon corner 1 must be finite, got (9.0, NaN)"),
                 Arguments.of(
                         new double[] {0, 0, 1, 0, 1, Double.POSITIVE_INFINITY},
                         proper,
