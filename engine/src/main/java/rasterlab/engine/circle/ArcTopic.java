@@ -39,9 +39,7 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
     /** A walk not begun yet. */
     record WalkAndWork(ArcWalk walk, ArcWork work) {
         Map<String, Long> operations() {
-            boolean more = walk.advance();
-            while (more) more = walk.advance();
-            return walk.operations(work);
+            return ArcCount.of(walk).operations(work);
         }
     }
 

@@ -45,19 +45,19 @@ public final class BresenhamCircle implements SteppedCircle {
                 new Work(2, 0, 0, 0, 2), 0, new Work(2, 0, 0, 0, 0), new Work(2, 0, 0, 0, 0));
     }
 
-    private static final class Walk extends CountedArc {
+    private static final class Walk implements ArcWalk {
         private int u;
         private int v;
         private long delta;
-        private long besideStep;
-        private long belowStep;
+        private long asideStep;
+        private long downStep;
         private boolean begun;
 
         Walk(int radius) {
             v = radius;
             delta = 2 - 2L * radius;
-            besideStep = 1;
-            belowStep = 2L * radius - 1;
+            asideStep = 1;
+            downStep = 2L * radius - 1;
         }
 
         @Override
@@ -67,20 +67,17 @@ public final class BresenhamCircle implements SteppedCircle {
                 return true;
             }
             if (v == 0) return false;
-            choices++;
             boolean inside = delta < 0;
             long twice = delta + delta;
-            if (inside || twice - besideStep <= 0) {
-                asides++;
+            if (inside || twice - asideStep <= 0) {
                 u++;
-                besideStep += 2;
-                delta += besideStep;
+                asideStep += 2;
+                delta += asideStep;
             }
-            if (!inside || twice + belowStep >= 0) {
-                downs++;
+            if (!inside || twice + downStep >= 0) {
                 v--;
-                belowStep -= 2;
-                delta -= belowStep;
+                downStep -= 2;
+                delta -= downStep;
             }
             return true;
         }

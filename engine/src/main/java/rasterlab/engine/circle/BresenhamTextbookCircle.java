@@ -47,7 +47,7 @@ public final class BresenhamTextbookCircle implements SteppedCircle {
         return new ArcWork(new Work(8, 6, 0, 0, 3), 3, Work.NONE, Work.NONE);
     }
 
-    private static final class Walk extends CountedArc {
+    private static final class Walk implements ArcWalk {
         private final int radius;
         private int u;
         private int v;
@@ -70,7 +70,6 @@ public final class BresenhamTextbookCircle implements SteppedCircle {
         }
 
         private void choose() {
-            choices++;
             double side = distance(u + 1, v);
             double diagonal = distance(u + 1, v - 1);
             double below = distance(u, v - 1);

@@ -10,12 +10,11 @@ import rasterlab.engine.raster.Work;
  * (u + 1, v − 1), and the middle between them is M = (u + 1, v − ½). F(u, v) = u² + v² − r² is
  * negative inside: where F(M) &lt; 0 the circle passes above M. F(M) = (u + 1)² + v² − v + ¼ − r²
  * is never 0, and the ¼ never changes its sign, so d = F(M) − ¼ decides: d &lt; 0 keeps the row. A
- * step along adds 2·u + 1 (the new u), a step down takes 2·v (the new v) off; both numbers are kept
+ * step aside adds 2·u + 1 (the new u), a step down takes 2·v (the new v) off; both numbers are kept
  * and change by 2, so nothing is multiplied.
  *
- * <p>The first call of {@code advance} goes from u = −1 to the first pixel (0, r). {@link
- * CountedArc} holds the counters {@code choices}, {@code asides} and {@code downs}, by which no
- * pixel is chosen.
+ * <p>The first call of {@code advance} goes from u = −1 to the first pixel (0, r). The last one may
+ * step past the diagonal, which is no pixel of the octant.
  *
  * <p>|d| ≤ 2·r + 1 &lt; 2³² for int radii, so a long never overflows.
  *
@@ -61,35 +60,32 @@ public final class MidpointCircle implements SteppedCircle {
                 new Work(0, 0, 0, 0, 1), 0, new Work(2, 0, 0, 0, 0), new Work(2, 0, 0, 0, 0));
     }
 
-    private static final class Walk extends CountedArc {
+    private static final class Walk implements ArcWalk {
         private int u = -1;
         private int v;
         private long d;
-        private long besideStep = -1;
-        private long belowStep;
+        private long asideStep = -1;
+        private long downStep;
 
         Walk(int radius) {
             v = radius;
             d = -radius;
-            belowStep = 2L * radius;
+            downStep = 2L * radius;
         }
 
         @Override
         public boolean advance() {
             if (u >= v) return false;
             boolean hasPixel = u >= 0;
-            if (hasPixel) choices++;
             if (hasPixel && d >= 0) { // M is outside: the row below is nearer
-                downs++;
                 v--;
-                belowStep -= 2;
-                d -= belowStep;
+                downStep -= 2;
+                d -= downStep;
             }
             u++;
             if (u > v) return false;
-            asides++;
-            besideStep += 2;
-            d += besideStep;
+            asideStep += 2;
+            d += asideStep;
             return true;
         }
 

@@ -4,10 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.CompiledCode;
 
@@ -53,6 +56,30 @@ class ArcWorkTest {
         Map<String, Long> counts = topic.operations(method, new Ellipse(0, 0, 100, 7));
         assertEquals(2 * 159, counts.get("sines and roots"));
         assertEquals(2 * 159, counts.get("multiplications"));
+    }
+
+    /** One of radii 3 and 4 ends the octant by a step past the diagonal, which is counted. */
+    @ParameterizedTest(name = "the counts of {0} with radius {1} change")
+    @CsvSource({
+        "midpoint, 0, 'additions=2, comparisons=0, multiplications=0, sines and roots=0'",
+        "midpoint, 1, 'additions=4, comparisons=1, multiplications=0, sines and roots=0'",
+        "midpoint, 3, 'additions=8, comparisons=2, multiplications=0, sines and roots=0'",
+        "midpoint, 4, 'additions=10, comparisons=3, multiplications=0, sines and roots=0'",
+        "midpoint, 100, 'additions=202, comparisons=71, multiplications=0, sines and roots=0'",
+        "bresenham, 0, 'additions=0, comparisons=0, multiplications=0, sines and roots=0'",
+        "bresenham, 100, 'additions=682, comparisons=282, multiplications=0, sines and roots=0'",
+        "bresenham-textbook, 4, 'additions=24, comparisons=9, multiplications=18, sines and roots=9'",
+        "bresenham-textbook, 5, 'additions=32, comparisons=12, multiplications=24, sines and roots=12'",
+        "parametric, 4, 'additions=0, comparisons=0, multiplications=10, sines and roots=10'",
+    })
+    void countsStayAsPublished(String method, int radius, String published) {
+        var topic = new CircleTopic();
+        var counts =
+                new TreeMap<>(
+                        topic.operations(
+                                topic.method(method).implementation(), new Circle(9, 9, radius)));
+        counts.keySet().removeAll(List.of("divisions", "roundings"));
+        assertEquals("{" + published + "}", counts.toString());
     }
 
     private static long multiplications(String walk, String method) {
