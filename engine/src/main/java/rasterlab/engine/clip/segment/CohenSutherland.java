@@ -8,9 +8,6 @@ import rasterlab.contract.SegmentSink;
  *
  * <p>Nothing is left where the two codes share a bit; all that remains is left where both are 0.
  * New ends are computed from the segment as given, never from a moved end, so errors do not add up.
- * The base class {@link WindowWalk} keeps what is given: the window, the segment from (x0, y0) to
- * (x1, y1), dx = x1 − x0 and dy = y1 − y0. It also says when doubles cannot decide: a walk that is
- * {@code unsure} stops, and the segment is clipped without rounding instead.
  *
  * <p>It ends after at most four cuts. A cut puts an end on a side and takes a bit from its code. In
  * exact arithmetic the end moves towards the other end, so each of its coordinates changes in one
@@ -18,7 +15,9 @@ import rasterlab.contract.SegmentSink;
  * side or crosses the other one, in which case the two codes share that bit; so an end is cut at
  * most once in x and once in y. The same holds here, because every code is the exact one: the
  * coordinate a cut sets is the side's own, and where the computed one is so near a side that its
- * rounding might change a bit, {@link UnroundedClip} clips the segment instead.
+ * rounding might change a bit, the walk is {@code unsure}: it stops, and the whole segment is
+ * clipped without rounding instead. So it is from the start where {@link RoundingBound}, which says
+ * how near that is, does not hold.
  *
  * <p>Source: W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics, McGraw-Hill,
  * 1973, where the method of D. Cohen and I. Sutherland is described.
@@ -40,7 +39,8 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             double x1,
             double y1,
             SegmentSink out) {
-        var walk = new RegionCodeWalk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
+        var window = new WindowSides(xmin, ymin, xmax, ymax);
+        var walk = new RegionCodeWalk(window, x0, y0, x1, y1);
         while (walk.advance()) continue;
         walk.send(out);
     }
@@ -55,7 +55,7 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             double y0,
             double x1,
             double y1) {
-        return new RegionCodeWalk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
+        return new RegionCodeWalk(new WindowSides(xmin, ymin, xmax, ymax), x0, y0, x1, y1);
     }
 
     @Override
@@ -63,31 +63,14 @@ public final class CohenSutherland implements SteppedSegmentClipper {
         return "code of the end that is moved: 1 above, 2 below, 4 right, 8 left";
     }
 
-    static final class RegionCodeWalk extends WindowWalk {
-        private double fromX;
-        private double fromY;
-        private double toX;
-        private double toY;
-        private int fromCode;
-        private int toCode;
-        private int code;
-
-        RegionCodeWalk(
-                double xmin,
-                double ymin,
-                double xmax,
-                double ymax,
-                double x0,
-                double y0,
-                double x1,
-                double y1) {
-            super(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
-            fromX = this.x0;
-            fromY = this.y0;
-            toX = this.x1;
-            toY = this.y1;
-            fromCode = code(fromX, fromY);
-            toCode = code(toX, toY);
+    /** The window as given: swapped sides are refused where the segment is sent. */
+    record WindowSides(double xmin, double ymin, double xmax, double ymax) {
+        WindowSides {
+            // −0.0 becomes 0.0, so that no answer has a signed zero.
+            xmin += 0.0;
+            ymin += 0.0;
+            xmax += 0.0;
+            ymax += 0.0;
         }
 
         /** Adds up the bits of the sides that a point lies beyond; 0 means inside. */
@@ -96,6 +79,43 @@ public final class CohenSutherland implements SteppedSegmentClipper {
                     | (x > xmax ? RIGHT : 0)
                     | (y < ymin ? BOTTOM : 0)
                     | (y > ymax ? TOP : 0);
+        }
+    }
+
+    /** The segment as given, from (x0, y0) to (x1, y1), and what is left of it, from and to. */
+    private static final class RegionCodeWalk implements SegmentWalk {
+        private final WindowSides window;
+        private final double x0;
+        private final double y0;
+        private final double x1;
+        private final double y1;
+        private final double dx;
+        private final double dy;
+        private final double size;
+        private double fromX;
+        private double fromY;
+        private double toX;
+        private double toY;
+        private int fromCode;
+        private int toCode;
+        private int code;
+        private int divisions;
+        private boolean unsure;
+
+        RegionCodeWalk(WindowSides window, double x0, double y0, double x1, double y1) {
+            this.window = window;
+            this.x0 = fromX = x0 + 0.0;
+            this.y0 = fromY = y0 + 0.0;
+            this.x1 = toX = x1 + 0.0;
+            this.y1 = toY = y1 + 0.0;
+            dx = x1 - x0;
+            dy = y1 - y0;
+            fromCode = window.code(fromX, fromY);
+            toCode = window.code(toX, toY);
+            double width = window.xmax - window.xmin;
+            double height = window.ymax - window.ymin;
+            size = width + height;
+            unsure = !RoundingBound.holds(width, height, dx, dy);
         }
 
         /**
@@ -106,23 +126,25 @@ public final class CohenSutherland implements SteppedSegmentClipper {
         public boolean advance() {
             boolean allInside = (fromCode | toCode) == 0;
             boolean allBeyondOneSide = (fromCode & toCode) != 0;
-            if (allInside || allBeyondOneSide || unsure()) return false;
-            divisions++;
+            if (allInside || allBeyondOneSide || unsure) return false;
             code = fromCode != 0 ? fromCode : toCode;
-            if ((code & LEFT) != 0) moveToColumn(xmin, y0 + (xmin - x0) / dx * dy);
-            else if ((code & RIGHT) != 0) moveToColumn(xmax, y0 + (xmax - x0) / dx * dy);
-            else if ((code & BOTTOM) != 0) moveToRow(x0 + (ymin - y0) / dy * dx, ymin);
-            else moveToRow(x0 + (ymax - y0) / dy * dx, ymax);
+            if ((code & LEFT) != 0) moveToColumn(window.xmin);
+            else if ((code & RIGHT) != 0) moveToColumn(window.xmax);
+            else if ((code & BOTTOM) != 0) moveToRow(window.ymin);
+            else moveToRow(window.ymax);
+            divisions++;
             return true;
         }
 
-        private void moveToColumn(double x, double y) {
-            if (near(y, ymin, ymax)) handOver(); // rounding may falsify the new code
+        private void moveToColumn(double x) {
+            double y = y0 + (x - x0) / dx * dy;
+            unsure = RoundingBound.hides(size, y, window.ymin, window.ymax);
             moveEnd(x, y);
         }
 
-        private void moveToRow(double x, double y) {
-            if (near(x, xmin, xmax)) handOver();
+        private void moveToRow(double y) {
+            double x = x0 + (y - y0) / dy * dx;
+            unsure = RoundingBound.hides(size, x, window.xmin, window.xmax);
             moveEnd(x, y);
         }
 
@@ -130,17 +152,21 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             if (fromCode != 0) {
                 fromX = x;
                 fromY = y;
-                fromCode = code(x, y);
+                fromCode = window.code(x, y);
             } else {
                 toX = x;
                 toY = y;
-                toCode = code(x, y);
+                toCode = window.code(x, y);
             }
         }
 
         @Override
-        boolean kept() {
-            return (fromCode | toCode) == 0;
+        public void send(SegmentSink out) {
+            boolean allInside = (fromCode | toCode) == 0;
+            if (unsure)
+                UnroundedClip.clip(
+                        window.xmin, window.ymin, window.xmax, window.ymax, x0, y0, x1, y1, out);
+            else if (allInside) piece(out);
         }
 
         @Override
@@ -157,6 +183,16 @@ public final class CohenSutherland implements SteppedSegmentClipper {
         @Override
         public double decision() {
             return code;
+        }
+
+        @Override
+        public int divisions() {
+            return divisions;
+        }
+
+        @Override
+        public boolean unsure() {
+            return unsure;
         }
     }
 }

@@ -27,8 +27,8 @@ import rasterlab.engine.study.Workload;
  *
  * <p>Right means: no segment misjudged, and every new end within 10⁻¹² of {@link ClipWindow#unit}
  * of the exact one. No method in doubles can do without that tolerance, since exact ends are
- * fractions; the bound is that of {@link WindowWalk}. Usable means: none misjudged, ends within a
- * thousandth of the window, about a pixel.
+ * fractions; the bound is that of {@link RoundingBound}. Usable means: none misjudged, ends within
+ * a thousandth of the window, about a pixel.
  */
 public final class SegmentClipTopic
         implements Topic<SegmentClipper, SegmentsInWindow, ClippedEnds> {

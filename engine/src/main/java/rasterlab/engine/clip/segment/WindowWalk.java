@@ -3,20 +3,12 @@ package rasterlab.engine.clip.segment;
 import rasterlab.contract.SegmentSink;
 
 /**
- * Base of the walks of all methods: window, segment, and whether doubles are good enough.
+ * Base of most methods' walks: window, segment, and whether doubles are good enough.
  *
- * <p>With u = 2⁻⁵³, a difference of two doubles and a quotient each err by a share u at most, so a
- * t computed as (side − x0)/(x1 − x0) errs by a share of 3·u, and p0 + t·(p1 − p0) by 5·u·|p1 − p0|
- * and its own rounding. With |x1 − x0|, |y1 − y0| ≤ 512·size, size being the window's width and
- * height together, that is 5.7·10⁻¹³ of the larger one. Beyond, and where size is so small or large
- * that products might underflow or overflow, and for everything not finite, a walk is {@link
- * #unsure} from the start.
+ * <p>Where {@link RoundingBound} does not hold, a walk is {@link #unsure} from the start.
  */
 abstract class WindowWalk implements SegmentWalk {
-    private static final double LONGEST = 512;
-    private static final double SMALLEST = 0x1p-300;
     private static final double FLATTEST = 0x1p-600;
-    private static final double LARGEST = 0x1p300;
 
     final double xmin;
     final double ymin;
@@ -52,16 +44,10 @@ abstract class WindowWalk implements SegmentWalk {
         this.y1 = y1 + 0.0;
         dx = this.x1 - this.x0;
         dy = this.y1 - this.y0;
-        size = (xmax - xmin) + (ymax - ymin);
-        // Written so that NaN makes it false.
-        boolean sure =
-                Math.abs(dx) <= LONGEST * size
-                        && Math.abs(dy) <= LONGEST * size
-                        && size >= SMALLEST
-                        && size <= LARGEST
-                        && xmin <= xmax
-                        && ymin <= ymax;
-        unsure = !sure;
+        double width = xmax - xmin;
+        double height = ymax - ymin;
+        size = width + height;
+        unsure = !RoundingBound.holds(width, height, dx, dy);
     }
 
     /** Leaves the decision to unrounded arithmetic. */
@@ -79,11 +65,10 @@ abstract class WindowWalk implements SegmentWalk {
 
     /**
      * Whether the rounding of a computed coordinate may hide on which side of one of two lines it
-     * is; more than the bound above.
+     * is.
      */
     final boolean near(double computed, double low, double high) {
-        double most = 0x1p-40 * size + 0x1p-51 * (Math.abs(low) + Math.abs(high));
-        return Math.abs(computed - low) <= most | Math.abs(computed - high) <= most;
+        return RoundingBound.hides(size, computed, low, high);
     }
 
     /**

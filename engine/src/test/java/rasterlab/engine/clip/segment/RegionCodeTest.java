@@ -11,8 +11,7 @@ class RegionCodeTest {
     private static final double[] PLACES = {-5, 5, 15};
 
     private static int code(double x, double y) {
-        var walk = new CohenSutherland().walk(0, 0, 10, 10, x, y, x, y);
-        return ((CohenSutherland.RegionCodeWalk) walk).code(x, y);
+        return new CohenSutherland.WindowSides(0, 0, 10, 10).code(x, y);
     }
 
     /** Bits from the left: 4 left of the window, 3 right of it, 2 below, 1 above. */
