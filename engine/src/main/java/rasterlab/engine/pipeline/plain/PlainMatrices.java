@@ -2,6 +2,7 @@ package rasterlab.engine.pipeline.plain;
 
 import java.util.stream.IntStream;
 import org.joml.Matrix4d;
+import org.joml.Vector4d;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.ViewedMesh;
@@ -23,7 +24,7 @@ final class PlainMatrices {
 
     /**
      * The depths of the scene, or what the near and the far plane leave of them, become −1 to 1. In
-     * perspective w = z, else w = 1.
+     * perspective w = z, else w = 1; the zooms take a unit at z = 1, or at any z, to ndc.
      */
     static Matrix4d clipFromEye(ViewedMesh view) {
         var depths = IntStream.range(0, view.mesh().vertexCount()).mapToDouble(view::eyeZ);
@@ -36,41 +37,58 @@ final class PlainMatrices {
         double middleX = (2 * fit.toPixelX(0) + 1) / fit.width() - 1;
         double middleY = 1 - (2 * fit.toPixelY(0) + 1) / fit.height();
         double zoom = 2 * fit.pixelsPerUnit();
-        return view.transform().central()
-                ? central(
-                        zoom * view.transform().distance() / fit.width(),
-                        zoom * view.transform().distance() / fit.height(),
-                        middleX,
-                        middleY,
-                        (far + near) / deep,
-                        -2 * far * near / deep)
-                : parallel(
-                        zoom / fit.width(),
-                        zoom / fit.height(),
-                        middleX,
-                        middleY,
-                        2 / deep,
-                        -(far + near) / deep);
+        if (!view.transform().central())
+            return parallel(
+                    zoom / fit.width(),
+                    zoom / fit.height(),
+                    middleX,
+                    middleY,
+                    2 / deep,
+                    -(far + near) / deep);
+        double zoomAtOne = zoom * view.transform().distance();
+        return central(
+                zoomAtOne / fit.width(),
+                zoomAtOne / fit.height(),
+                middleX,
+                middleY,
+                (far + near) / deep,
+                -2 * far * near / deep);
     }
 
-    private static Matrix4d central(double a, double b, double x, double y, double c, double d) {
+    private static Matrix4d central(
+            double zoomX,
+            double zoomY,
+            double middleX,
+            double middleY,
+            double depthScale,
+            double depthShift) {
         return rows(
-                a, 0, x, 0, //
-                0, b, y, 0, //
-                0, 0, c, d, //
-                0, 0, 1, 0);
+                row(zoomX, 0, middleX, 0),
+                row(0, zoomY, middleY, 0),
+                row(0, 0, depthScale, depthShift),
+                row(0, 0, 1, 0));
     }
 
-    private static Matrix4d parallel(double a, double b, double x, double y, double c, double d) {
+    private static Matrix4d parallel(
+            double zoomX,
+            double zoomY,
+            double middleX,
+            double middleY,
+            double depthScale,
+            double depthShift) {
         return rows(
-                a, 0, 0, x, //
-                0, b, 0, y, //
-                0, 0, c, d, //
-                0, 0, 0, 1);
+                row(zoomX, 0, 0, middleX),
+                row(0, zoomY, 0, middleY),
+                row(0, 0, depthScale, depthShift),
+                row(0, 0, 0, 1));
+    }
+
+    private static Vector4d row(double x, double y, double z, double w) {
+        return new Vector4d(x, y, z, w);
     }
 
     /** JOML's constructors list columns. */
-    private static Matrix4d rows(double... sixteen) {
-        return new Matrix4d().set(sixteen).transpose();
+    private static Matrix4d rows(Vector4d x, Vector4d y, Vector4d z, Vector4d w) {
+        return new Matrix4d(x, y, z, w).transpose();
     }
 }
