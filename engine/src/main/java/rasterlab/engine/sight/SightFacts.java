@@ -36,7 +36,9 @@ public final class SightFacts {
 
     /** Whether these are the facts of a scene. */
     public boolean of(Scene other) {
-        return other.mesh() == mesh && other.finishes().equals(scene.finishes());
+        return other.mesh() == mesh
+                && other.finishes().equals(scene.finishes())
+                && other.surfaces().isPresent() == scene.surfaces().isPresent();
     }
 
     private static boolean seenThrough(Appearance finish) {

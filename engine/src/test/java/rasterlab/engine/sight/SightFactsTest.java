@@ -40,6 +40,24 @@ class SightFactsTest {
     }
 
     @Test
+    void bodyWhoseEdgesAreWalkedTwiceTheSameWayIsOpen() {
+        Scene cube = Scenes.named("cube");
+        int[] twice = IntStream.range(0, 2 * cube.mesh().faceCount()).map(f -> f / 2).toArray();
+        assertTrue(ClosedMesh.is(cube.mesh()));
+        assertFalse(ClosedMesh.is(cube.only(twice).mesh()));
+    }
+
+    @Test
+    void bodiesThatTouchAtACornerAreClosed() {
+        // Two tetrahedra, one above and one below vertex 0.
+        double[] xyz = {0, 0, 0, 9, 0, 9, -9, 9, 9, -9, -9, 9, 9, 0, -9, -9, 9, -9, -9, -9, -9};
+        int[][] faces = {
+            {0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}
+        };
+        assertTrue(ClosedMesh.is(new Mesh(xyz, faces)));
+    }
+
+    @Test
     void bodyTurnedInsideOutIsRefused() {
         Mesh cube = Scenes.named("cube").mesh();
         int[][] turned = new int[cube.faceCount()][];
