@@ -38,6 +38,18 @@ record ShadingPlan(
      */
     private static final double EYE_TURN = 2.5 * CameraRange.TURN;
 
+    /**
+     * The light formulas that asking one face of a whole mesh whether less is enough is worth, as
+     * measured on meshes of 10⁵ faces and more.
+     */
+    private static final int ASKED = 6;
+
+    /** The pictures that a plan is kept for at least, while the camera turns by half a degree. */
+    private static final int PICTURES = 4;
+
+    /** The share of the full picture's time that deciding may take. */
+    private static final double DECIDING = 0.03;
+
     /** The cost of a picture's work, in milliseconds. */
     interface Price {
         double of(PictureWork work);
@@ -58,15 +70,18 @@ record ShadingPlan(
             ShownFaces shown, int reads, double left, Price price, List<PlanDecision> decisions) {
         boolean[] drawn = shown.drawn(shown.seen());
         boolean[] now = drawn;
+        boolean unasked = false;
+        var phong = new LightWork(false, filled(drawn.length), reads, false);
+        double all = price.of(phong.estimate(shown.areas(), shown.fronts(), false, 0));
         if (left > 0) {
-            Sufficiency enough = Sufficiency.of(shown, left);
+            Sufficiency enough =
+                    Sufficiency.of(shown, left, asking(shown, price) <= DECIDING * PICTURES * all);
             if (enough.smooth) return facewise(shown, reads, enough, left, decisions);
+            unasked = enough.unasked;
             now = new MixedLight(shown.lights(shown.seen()), left).atPixels(drawn);
         }
-        var phong = new LightWork(false, filled(drawn.length), reads, false);
         if (left > 0 && !shown.facts().glass()) {
             var mixed = new LightWork(true, now, reads, true);
-            double all = price.of(phong.estimate(shown.areas(), shown.fronts(), false, 0));
             double some = price.of(mixed.estimate(shown.areas(), shown.fronts(), false, 0));
             if (some < WORTH * all) {
                 Reason reason =
@@ -85,11 +100,19 @@ record ShadingPlan(
             }
         }
         Reason reason =
-                Reason.of(
-                        "phong",
-                        "%d of %d faces that were looked at need the formula at each pixel",
-                        count(now),
-                        count(drawn));
+                unasked
+                        ? Reason.of(
+                                "unasked",
+                                "whether less is enough on each of %d faces is not asked: that"
+                                        + " would take longer than %.0f %% of the pictures it"
+                                        + " holds for",
+                                shown.areas().allFaces(),
+                                100 * DECIDING)
+                        : Reason.of(
+                                "phong",
+                                "%d of %d faces that were looked at need the formula at each pixel",
+                                count(now),
+                                count(drawn));
         decisions.add(PlanDecision.exact("shading", "phong", "phong", reason));
         return new ShadingPlan(ShadingMethod.PHONG, ShadingMethod.PHONG, 0, true, phong, phong);
     }
@@ -100,12 +123,19 @@ record ShadingPlan(
      * @param smooth whether light mixed from corners is
      * @param flat whether one colour a face is
      * @param everywhere whether that holds from all around
+     * @param unasked whether it might be, but asking all faces would take too long
      */
-    private record Sufficiency(boolean smooth, boolean flat, boolean everywhere) {
-        static final Sufficiency NEITHER = new Sufficiency(false, false, false);
+    private record Sufficiency(boolean smooth, boolean flat, boolean everywhere, boolean unasked) {
+        static final Sufficiency NEITHER = new Sufficiency(false, false, false, false);
+        static final Sufficiency UNASKED = new Sufficiency(false, false, false, true);
 
-        /** The sample is asked first: one face of it that needs more decides. */
-        static Sufficiency of(ShownFaces shown, double left) {
+        /**
+         * Asks the sample first: one face of it that needs more decides.
+         *
+         * @param affordable whether all faces of a view may be asked where the sample does not
+         *     decide; without that, each pixel keeps its formula
+         */
+        static Sufficiency of(ShownFaces shown, double left, boolean affordable) {
             Optional<MixedLight.Apart> always =
                     shown.known().apart(shown.request(), shown.fronts());
             if (always.isPresent()) return of(always.get(), left, true);
@@ -114,6 +144,7 @@ record ShadingPlan(
             boolean[] sampled = shown.drawn(shown.seen(), EYE_TURN);
             var few = new MixedLight(shown.lights(shown.seen()), left, EYE_TURN).apart(sampled);
             if (few.mixed() > left || shown.areas().whole()) return of(few, left, false);
+            if (!affordable) return UNASKED;
             RequestView all = shown.all();
             var light = new MixedLight(shown.lights(all), left, EYE_TURN);
             return of(light.apart(shown.drawn(all, EYE_TURN)), left, false);
@@ -121,8 +152,15 @@ record ShadingPlan(
 
         private static Sufficiency of(MixedLight.Apart apart, double left, boolean everywhere) {
             if (apart.mixed() > left) return NEITHER;
-            return new Sufficiency(true, apart.flat() <= left, everywhere);
+            return new Sufficiency(true, apart.flat() <= left, everywhere, false);
         }
+    }
+
+    /** Predicts the milliseconds that asking all faces of a view takes. */
+    private static double asking(ShownFaces shown, Price price) {
+        long formulas = ASKED * shown.areas().allFaces();
+        double picture = price.of(new PictureWork(0, 0, 0, 0, 0, 0, 0, 0, 0));
+        return price.of(new PictureWork(0, 0, 0, formulas, 0, 0, 0, 0, 0)) - picture;
     }
 
     private static ShadingPlan facewise(

@@ -34,6 +34,7 @@ final class ShapePart {
     private final double levelsPerPixel;
     private final boolean any;
     private final Map<Integer, ShapeSteps> tried = new HashMap<>();
+    private final Map<Integer, ShapeSteps> glanced = new HashMap<>();
 
     ShapePart(Scene scene, SceneShape shape, int finish) {
         this.shape = shape;
@@ -143,6 +144,13 @@ final class ShapePart {
     /** Measures the shape made in steps, once for the same ones. */
     ShapeSteps steps(int u, int v) {
         return tried.computeIfAbsent(u << 16 | v, key -> ShapeSteps.of(shape, u, v));
+    }
+
+    /**
+     * Looks at a few places of the shape made in steps, once for the same ones: a bound from below.
+     */
+    ShapeSteps atLeast(int u, int v) {
+        return glanced.computeIfAbsent(u << 16 | v, key -> ShapeSteps.atLeast(shape, u, v));
     }
 
     private static double levelsPerRadian(Scene scene, int finish) {

@@ -148,26 +148,33 @@ final class ShapePlan {
         int high = 64;
         while (low < high) {
             int middle = (low + high) / 2;
-            if (enough(scaled(part, full, middle), part, full, perUnit)) high = middle;
+            int u = scaled(full.u(), 4, middle);
+            if (enough(u, scaled(full.v(), 3, middle), part, full, perUnit)) high = middle;
             else low = middle + 1;
         }
-        ShapeSteps best = high == 64 ? full : scaled(part, full, high);
+        ShapeSteps best =
+                high == 64
+                        ? full
+                        : part.steps(scaled(full.u(), 4, high), scaled(full.v(), 3, high));
         for (int axis = 0; axis < 2; axis++)
             while (true) {
                 int u = axis == 0 ? best.u() - Math.max(1, best.u() / 12) : best.u();
                 int v = axis == 1 ? best.v() - Math.max(1, best.v() / 12) : best.v();
                 if (u < 4 || v < 3 || v > full.v()) break;
-                ShapeSteps next = part.steps(u, v);
-                if (!enough(next, part, full, perUnit)) break;
-                best = next;
+                if (!enough(u, v, part, full, perUnit)) break;
+                best = part.steps(u, v);
             }
         return best;
     }
 
-    private static ShapeSteps scaled(ShapePart part, ShapeSteps full, int of64) {
-        int u = Math.max(Math.min(4, full.u()), (full.u() * of64 + 63) / 64);
-        int v = Math.max(Math.min(3, full.v()), (full.v() * of64 + 63) / 64);
-        return part.steps(u, v);
+    private static int scaled(int full, int least, int of64) {
+        return Math.max(Math.min(least, full), (full * of64 + 63) / 64);
+    }
+
+    /** Whether steps are within the tolerance; a look at a few places refuses most that are not. */
+    private boolean enough(int u, int v, ShapePart part, ShapeSteps full, double perUnit) {
+        return enough(part.atLeast(u, v), part, full, perUnit)
+                && enough(part.steps(u, v), part, full, perUnit);
     }
 
     private boolean enough(ShapeSteps steps, ShapePart part, ShapeSteps full, double perUnit) {

@@ -35,7 +35,19 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
     /** Columns of cells that are looked at. */
     private static final int COLUMNS = 24;
 
+    /** Rows and columns of a first look. */
+    private static final int FEW = 4;
+
     static ShapeSteps of(SceneShape shape, int u, int v) {
+        return of(shape, u, v, COLUMNS, Integer.MAX_VALUE);
+    }
+
+    /** Looks at a few cells only: rise and angle are at least what comes of it. */
+    static ShapeSteps atLeast(SceneShape shape, int u, int v) {
+        return of(shape, u, v, FEW, FEW);
+    }
+
+    private static ShapeSteps of(SceneShape shape, int u, int v, int columns, int rows) {
         int faces = 0;
         double sag = 0;
         double bend = 0;
@@ -43,9 +55,12 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
             int across = patch.vSteps(v);
             faces += u * across;
             var cell = new Cell(patch);
-            for (int i = 0; i < Math.min(u, COLUMNS); i++)
-                for (int j = 0; j < across; j++) {
-                    int column = (int) ((long) i * u / Math.min(u, COLUMNS));
+            int some = Math.min(u, columns);
+            int few = Math.min(across, rows);
+            for (int i = 0; i < some; i++)
+                for (int k = 0; k < few; k++) {
+                    int column = (int) ((long) i * u / some);
+                    int j = (int) ((long) k * across / few);
                     cell.look(
                             at(patch.u().from(), patch.u().to(), column, u),
                             at(patch.u().from(), patch.u().to(), column + 1, u),

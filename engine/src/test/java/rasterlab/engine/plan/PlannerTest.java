@@ -3,20 +3,26 @@ package rasterlab.engine.plan;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.raster.PictureDifference;
+import rasterlab.engine.scene.ExactSurfaces;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.SceneLight;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.transform.SphericalView;
@@ -263,6 +269,64 @@ class PlannerTest {
         Scene near = torus.zoomed(3);
         Plan plan = planner.plan(seen(near, near.defaultCamera(), 96, 72), tolerance);
         assertEquals(near.pictureScale(), plan.least().scene().pictureScale());
+    }
+
+    @ParameterizedTest(name = "what is known of a torus outlives this change: {0}")
+    @ValueSource(strings = {"a face less", "no surfaces", "glass", "lamps", "texture"})
+    void nothingKnownOutlivesAChange(String change) {
+        Scene torus = Scenes.named("torus", 40);
+        var tolerance = new Tolerance(1, 6, 0);
+        SphericalView at = torus.defaultCamera();
+        var known = new Planner(1, Costs.measured());
+        Plan before = known.plan(seen(torus, at, 96, 72), tolerance);
+        assertTrue(before.least().look().savings().frontsOnly(), before.decisions().toString());
+        RenderRequest asked = seen(changed(torus, change), at, 96, 72);
+        Plan after = known.plan(asked, tolerance);
+        Plan anew = new Planner(1, Costs.measured()).plan(asked, tolerance);
+        assertEquals(anew.decisions(), after.decisions());
+        assertNotEquals(before.decisions(), after.decisions());
+    }
+
+    private static Scene changed(Scene scene, String change) {
+        return switch (change) {
+            case "a face less" ->
+                    scene.only(IntStream.range(1, scene.mesh().faceCount()).toArray());
+            case "no surfaces" -> with(scene, scene.light(), Optional.empty());
+            case "glass" -> scene.with(look -> Scenes.named("transparency").finishes().get(1));
+            case "lamps" -> with(scene, SceneLight.lampAtEye(), scene.surfaces());
+            default -> scene.with(look -> Scenes.named("globe").finishes().get(0));
+        };
+    }
+
+    private static Scene with(Scene scene, SceneLight light, Optional<ExactSurfaces> surfaces) {
+        return new Scene(
+                scene.name(),
+                scene.mesh(),
+                scene.finishes(),
+                scene.finishOf(),
+                light,
+                scene.backgroundRgb(),
+                scene.defaultCamera(),
+                scene.pictureScale(),
+                surfaces);
+    }
+
+    @ParameterizedTest(name = "all faces of {0} in {1} steps are asked or not, {2}×{2} pixels")
+    @CsvSource({
+        "revolution, 160, 400, false",
+        "revolution, 160, 1200, true",
+        "sphere, 120, 400, false",
+        "sphere, 120, 1200, true"
+    })
+    void facesAreAskedWhereThatIsAPartOfThePicture(
+            String name, int detail, int width, boolean asked) {
+        Scene scene = Scenes.named(name, detail);
+        RenderRequest picture = seen(scene, scene.defaultCamera(), width, width);
+        Plan plan = planner.plan(picture, new Tolerance(0.001, 20, 0));
+        assertEquals(
+                asked,
+                plan.decisions().stream().noneMatch(d -> d.reason().key().equals("unasked")),
+                plan.decisions().toString());
     }
 
     private static int faces(Plan plan) {

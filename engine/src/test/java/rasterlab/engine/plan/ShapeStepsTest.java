@@ -33,4 +33,18 @@ class ShapeStepsTest {
         assertEquals(detail / 2, found.v());
         assertEquals(scene.mesh().faceCount(), found.faces());
     }
+
+    @ParameterizedTest(name = "a look at a few places of {0} finds more than one at all")
+    @ValueSource(strings = {"sphere", "torus", "globe", "revolution", "sphere-and-cylinder"})
+    void firstLookIsABoundFromBelow(String name) {
+        Scene scene = Scenes.named(name, 20);
+        for (var shape : ((ShapeSurfaces) scene.surfaces().orElseThrow()).shapes())
+            for (int u = 4; u < 90; u += 17) {
+                var glance = ShapeSteps.atLeast(shape, u, u / 2);
+                var whole = ShapeSteps.of(shape, u, u / 2);
+                assertTrue(glance.sag() <= whole.sag(), glance + " above " + whole);
+                assertTrue(glance.bend() <= whole.bend(), glance + " above " + whole);
+                assertTrue(glance.sag() >= whole.sag() / 4, glance + " says little of " + whole);
+            }
+    }
 }
