@@ -112,6 +112,7 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
 private fun programOf(words: CommandWords): CommandLine =
     CommandLine(GraderProgram(words))
         .addSubcommand(ServeCommand(words))
+        .addSubcommand(WorkerCommand(words))
         .addSubcommand(BackupCommand(words))
         .addSubcommand(RestoreCommand(words))
         .addSubcommand(TokenCommand())

@@ -13,18 +13,18 @@ import java.nio.file.Path
  * Opens the database of a server.
  *
  * @param folder the server's data folder
- * @param alone whether no other server may use it
+ * @param name of the process, which no other may have that uses it; null for a command, which grades nothing
  * @throws CannotStart with the reason that lies deepest, as those above it say only that opening failed
  */
 internal fun openDatabase(
     place: DatabasePlace,
     folder: Path,
-    alone: Boolean = false,
+    name: String? = null,
 ): Database =
     try {
         when (place) {
             is SqliteFile -> Database.open(place.path)
-            is PostgresAddress -> Database.open(place, folder, alone)
+            is PostgresAddress -> Database.open(place, folder, name)
         }
     } catch (newer: NewerTables) {
         throw CannotStart(StartFailure.DB_NEWER, place, newer.version, cause = newer)

@@ -1,7 +1,7 @@
 package rasterlab.grader
 
-import org.slf4j.LoggerFactory
 import picocli.CommandLine.Command
+import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
@@ -20,6 +20,7 @@ import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.submission.IntakeLimits
+import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.SpeedBands
 import java.io.IOException
 import java.net.InetAddress
@@ -41,6 +42,9 @@ internal class ServeCommand(
 ) : Callable<Int> {
     @Spec
     lateinit var spec: CommandSpec
+
+    @Mixin
+    lateinit var work: WorkOptions
 
     @Option(
         names = ["--data"],
@@ -83,12 +87,6 @@ internal class ServeCommand(
     var db: String? = null
 
     @Option(
-        names = ["--exam"],
-        description = ["Refuses to start where sources cannot be isolated by the operating system."],
-    )
-    var exam = false
-
-    @Option(
         names = ["--exercises"],
         paramLabel = "DIR",
         description = ["Folder of more exercises, one sub-folder each."],
@@ -123,28 +121,6 @@ internal class ServeCommand(
     var tlsKey: Path? = null
 
     @Option(
-        names = ["--config"],
-        paramLabel = "FILE",
-        description = [
-            "Settings in YAML: for each option, but for this one and --heap, a line",
-            "with its name without dashes, such as 'port: 8080'.",
-            "What is given here counts more.",
-        ],
-    )
-    var config: Path? = null
-
-    @Option(
-        names = ["--workers"],
-        paramLabel = "N",
-        defaultValue = "1",
-        description = [
-            "Submissions graded at the same time, 1 to 64 (default: \${DEFAULT-VALUE}).",
-            "With more than half the cores, measured speeds mean little.",
-        ],
-    )
-    var workers = 1
-
-    @Option(
         names = ["--entries-per-minute"],
         paramLabel = "N",
         defaultValue = "120",
@@ -168,38 +144,19 @@ internal class ServeCommand(
     )
     var waiting = 5
 
-    @Option(
-        names = ["--heap"],
-        paramLabel = "MIB",
-        defaultValue = "256",
-        description = [
-            "Memory for the server's own objects in MiB, 64 to 65536 (default: \${DEFAULT-VALUE}).",
-            "The processes that run sources have theirs.",
-            "It is ./lab that sets the limit as it starts Java.",
-        ],
-    )
-    var heap = 256
-
     override fun call(): Int {
-        config?.let { OptionsFile.read(it).applyTo(spec.commandLine()) }
+        work.readConfig(spec.commandLine())
         if (port !in 0..LAST_PORT) throw CannotStart(StartFailure.PORT, port, LAST_PORT)
-        if (workers !in 1..MOST_WORKERS) throw CannotStart(StartFailure.WORKERS, workers, MOST_WORKERS)
-        if (heap !in LEAST_HEAP..MOST_HEAP) throw CannotStart(StartFailure.HEAP, heap, LEAST_HEAP, MOST_HEAP)
+        work.requireAllowed()
         requireLimits()
-        tellOtherHeap()
+        work.tellOtherHeap(spec.commandLine(), words)
         val proxies = proxies()
         val encryption = encryption()
         val address = address()
         val catalogue = catalogue()
-        if (exam) refuseExamsWithoutIsolation()
+        work.refuseExamsWithoutIsolation()
         StopSignal().use { stop -> run(catalogue, address, proxies, encryption, stop) }
         return 0
-    }
-
-    /** Refuses before anything is made: a refused start leaves no folder behind. */
-    private fun refuseExamsWithoutIsolation() {
-        val isolation = Judge.start(JudgeSettings.defaults()).use { it.isolation() }
-        if (!isolation.exam()) throw CannotStart(StartFailure.EXAM, isolation.missingForExams())
     }
 
     private fun requireLimits() =
@@ -215,20 +172,13 @@ internal class ServeCommand(
         proxies: Set<InetAddress>,
         encrypted: Boolean,
     ) = ServerSettings(
-        workers,
+        work.workers,
         IntakeLimits(waiting, submissionsPerMinute),
         entriesPerMinute,
         proxies = proxies,
         encrypted = encrypted,
+        name = work.name ?: Leases.ONE_SERVER,
     )
-
-    /** An option that somebody gave, and that changes nothing, is not passed over in silence. */
-    private fun tellOtherHeap() {
-        val found = Runtime.getRuntime().maxMemory() shr MIB_BITS
-        val asked = spec.commandLine().parseResult.hasMatchedOption("--heap")
-        if (!asked || found in heap * 3 / 4..heap) return
-        spec.commandLine().err.println(words.say("heap.other", "$heap", "$found"))
-    }
 
     private fun run(
         catalogue: Catalogue,
@@ -239,11 +189,9 @@ internal class ServeCommand(
     ) {
         DataFolder.take(data, db).use { folder ->
             logTo(folder.logFile)
-            openDatabase(folder.database, data, alone = true).use { database ->
+            openDatabase(folder.database, data, work.name ?: Leases.ONE_SERVER).use { database ->
                 Judge.start(JudgeSettings.defaults(), SpeedBands(database)).use { judge ->
-                    val log = LoggerFactory.getLogger(javaClass)
-                    log.info("isolation: {}", judge.isolation().holds("en"))
-                    judge.isolation().missing().forEach { log.info("isolation lacks {}", it) }
+                    logIsolation(judge.isolation())
                     val kept = KeptExercises(database).apply { keep(catalogue) }
                     Server(
                         database,
@@ -355,31 +303,16 @@ internal class ServeCommand(
 
     companion object {
         private const val LAST_PORT = 65_535
-        private const val MOST_WORKERS = 64
         private const val MOST_A_MINUTE = 100_000
-        private const val LEAST_HEAP = 64
-        private const val MOST_HEAP = 65_536
-        private const val MIB_BITS = 20
 
         /** The numbers that an option takes. */
         val RANGES =
-            mapOf(
-                "--port" to 0..LAST_PORT,
-                "--workers" to 1..MOST_WORKERS,
-                "--heap" to LEAST_HEAP..MOST_HEAP,
-                "--entries-per-minute" to 1..MOST_A_MINUTE,
-                "--submissions-per-minute" to 1..MOST_A_MINUTE,
-                "--waiting" to 1..MOST_A_MINUTE,
-            )
+            WorkOptions.RANGES +
+                mapOf(
+                    "--port" to 0..LAST_PORT,
+                    "--entries-per-minute" to 1..MOST_A_MINUTE,
+                    "--submissions-per-minute" to 1..MOST_A_MINUTE,
+                    "--waiting" to 1..MOST_A_MINUTE,
+                )
     }
-}
-
-/** A line on what there is, and one for each layer that is missing. */
-internal fun isolationLines(
-    words: CommandWords,
-    isolation: Isolation,
-): List<String> {
-    val language = words.language.language
-    return listOf(words.say("isolation", isolation.holds(language))) +
-        isolation.missing().map { words.say("isolation.missing", it.`in`(language)) }
 }

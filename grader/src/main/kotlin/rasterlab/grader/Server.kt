@@ -91,6 +91,9 @@ import rasterlab.grader.web.comment.questionPages
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
+import rasterlab.grader.worker.Presence
+import rasterlab.grader.worker.Worker
+import rasterlab.grader.worker.Workers
 import java.net.InetAddress
 import java.time.Duration
 import java.time.InstantSource
@@ -103,6 +106,7 @@ import kotlin.time.Duration.Companion.seconds
  * @param proxies whose word on whom they forward for is believed
  * @param encrypted whether the server's own connections are
  * @param bodyPatience how long the body of a request may take to arrive
+ * @param name which no other process has that uses the database
  */
 data class ServerSettings(
     val workers: Int = 1,
@@ -111,6 +115,7 @@ data class ServerSettings(
     val bodyPatience: kotlin.time.Duration = 20.seconds,
     val proxies: Set<InetAddress> = emptySet(),
     val encrypted: Boolean = false,
+    val name: String = Leases.ONE_SERVER,
 )
 
 /**
@@ -156,11 +161,24 @@ class Server(
     private val hints = Hints(database, clock)
     private val efforts = Efforts(database, hints)
     private val steady = SteadyClock(clock)
-    private val leases = Leases(database, reports, clock, steady)
+    private val leases = Leases(database, reports, clock, steady, settings.name)
     private val meters = Meters(database, children, clock)
     private val attempts =
         Attempts(database, leases, exercises, meters.timed(grading), live, meters::waited, stopping)
-    private val queue = GradingQueue(database, submissions, leases, attempts, live, steady, settings.workers)
+    private val workers = Workers(database, steady, Leases.LENGTH)
+    private val own = Worker.here(settings.name, serves = true, isolation, settings.workers)
+    private val queue =
+        GradingQueue(
+            database,
+            submissions,
+            leases,
+            attempts,
+            live,
+            steady,
+            settings.workers,
+            settings.name,
+            Presence(workers, own),
+        )
     private val pageParts =
         PageParts(
             accounts,

@@ -50,8 +50,8 @@ class OptionsFileTest {
 
     private companion object {
         const val KNOWN =
-            "data, db, entries-per-minute, exam, exercises, host, port, proxy, submissions-per-minute, tls-cert, " +
-                "tls-key, waiting, workers"
+            "data, db, entries-per-minute, exam, exercises, host, name, port, proxy, submissions-per-minute, " +
+                "tls-cert, tls-key, waiting, workers"
 
         @JvmStatic
         fun mistakes(): List<Arguments> =

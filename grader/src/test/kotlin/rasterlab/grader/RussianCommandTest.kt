@@ -50,6 +50,7 @@ class RussianCommandTest {
             "--help",
             "serve --help",
             "help serve",
+            "worker --help",
             "help help",
             "backup --help",
             "restore --help",
@@ -114,6 +115,9 @@ class RussianCommandTest {
             "serve --port 0 --proxy localhost --lang ru",
             "serve --config FOLDER/none.yaml --lang ru",
             "serve --config SETTINGS --lang ru",
+            "serve --name -a --lang ru",
+            "worker --lang ru",
+            "worker --db sqlite:FOLDER/w --lang ru",
             "backup --lang ru",
             "backup FOLDER --data FOLDER --lang ru",
             "backup FOLDER/b --data FOLDER/none --lang ru",
@@ -160,7 +164,7 @@ class RussianCommandTest {
         assertEquals(2, run(*call.split(" ").toTypedArray()))
         val said = printed.toString()
         assertTrue(Regex("no command 'nope'|нет команды «nope»").containsMatchIn(said), said)
-        assertTrue(said.trim().endsWith("serve, backup, restore, token, course, staff, regrade, help"), said)
+        assertTrue(said.trim().endsWith("serve, worker, backup, restore, token, course, staff, regrade, help"), said)
     }
 
     @ParameterizedTest(name = "help of {0} is the help of the command above it")
@@ -182,7 +186,7 @@ class RussianCommandTest {
     }
 
     @ParameterizedTest(name = "the help of {0} in Russian breaks a line that was broken already")
-    @ValueSource(strings = ["--help", "serve --help", "backup --help", "token --help"])
+    @ValueSource(strings = ["--help", "serve --help", "worker --help", "backup --help", "token --help"])
     fun `no line of the help holds one word alone`(call: String) {
         assertEquals(0, run(*"$call --lang ru".split(" ").toTypedArray()))
         val alone = printed.toString().lines().filter { Regex(" {12,}\\S+").matches(it) }
@@ -221,7 +225,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)|regrade\\.(id|of.*|submission|dry)",
+                    "lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|worker\\..*|process\\.name.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)|regrade\\.(id|of.*|submission|dry)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

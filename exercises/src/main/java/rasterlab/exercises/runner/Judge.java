@@ -188,6 +188,14 @@ public final class Judge implements Grading, AutoCloseable {
     }
 
     /** Ends all children and removes what was prepared for them. */
+    /**
+     * Leaves it to the caller alone to close this judge, also when the program is told to end: what
+     * it judges then is not cut off.
+     */
+    public void closedByCaller() {
+        Runtime.getRuntime().removeShutdownHook(atExit);
+    }
+
     @Override
     public void close() {
         if (!release()) return;

@@ -21,6 +21,9 @@ class CannotStart(
     ) {
         PORT("port"),
         WORKERS("workers"),
+        WORKER_DATABASE("worker.database"),
+        NAME("name"),
+        NAME_USED("name.used"),
         HEAP("heap"),
         LIMIT("limit"),
         EXAM("exam"),

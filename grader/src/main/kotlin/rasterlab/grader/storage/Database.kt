@@ -12,6 +12,7 @@ import org.sqlite.SQLiteDataSource
 import java.nio.file.Files
 import java.nio.file.Path
 import java.sql.Connection
+import java.time.Instant
 import javax.sql.DataSource
 
 /**
@@ -23,20 +24,26 @@ import javax.sql.DataSource
  * With either engine a write is on the disk when [write] returns.
  *
  * @param folder on the disk whose room counts
- * @param alone ends when the database is closed, and keeps other servers away until then
+ * @param named ends when the database is closed, and keeps other processes of the same name away until then
  */
 class Database private constructor(
     private val folder: Path,
     private val writer: HikariDataSource,
     private val reader: HikariDataSource,
     private val firstInWrite: String? = null,
-    private val alone: AutoCloseable? = null,
+    private val named: AutoCloseable? = null,
 ) : AutoCloseable {
     private val writes = silentAboutValues(writer)
     private val reads = silentAboutValues(reader)
 
     /** The connections for the scheduler, which commits each of its statements by itself. */
     val scheduling: DataSource get() = writer
+
+    /** Whether several processes may grade what is in it. */
+    val isShared: Boolean get() = firstInWrite != null
+
+    /** What the database's own clock shows, which all who share it follow; null where one process has it to itself. */
+    fun now(): Instant? = if (isShared) read { it.createQuery(CLOCK).mapTo(Instant::class.java).one() } else null
 
     fun <T> read(work: (Handle) -> T): T = reads.withHandle<T, Exception> { work(it) }
 
@@ -58,7 +65,7 @@ class Database private constructor(
     override fun close() {
         reader.close()
         writer.close()
-        alone?.close()
+        named?.close()
     }
 
     companion object {
@@ -81,9 +88,15 @@ class Database private constructor(
         /** The connection counts as lost when an answer takes longer, and the lock is free again when its holder is silent. */
         private const val POSTGRES_SECONDS = 30
 
-        /** Numbers of two locks; any other programs in the database must not use them. */
+        /** Numbers of locks, the last with that of a name; any other programs in the database must not use them. */
         private const val WRITE_LOCK = 7_271_001L
         private const val SERVER_LOCK = 7_271_002L
+        private const val NAME_LOCK = 7_271_003
+
+        private const val TAKE_NAME =
+            "SELECT pg_try_advisory_lock_shared($SERVER_LOCK), pg_try_advisory_lock($NAME_LOCK, %d)"
+
+        private const val CLOCK = "SELECT clock_timestamp()"
 
         /**
          * Opens the file, creating or migrating its tables.
@@ -109,17 +122,17 @@ class Database private constructor(
          * Connects to a PostgreSQL server, creating or migrating the tables.
          *
          * @param folder on this machine, where the server writes its log
-         * @param alone whether no other server may use the database
-         * @throws CannotStart if nobody answers there, or another server uses it
+         * @param name which no other process may have that uses the database; null for a command, which grades nothing
+         * @throws CannotStart if nobody answers there, or another process of that name uses it
          * @throws NewerTables
          */
         fun open(
             address: PostgresAddress,
             folder: Path,
-            alone: Boolean,
+            name: String?,
         ): Database {
             address.requireAnswer()
-            val lock = if (alone) soleServer(address) else null
+            val lock = name?.let { takeName(address, it) }
             // Large courses take their time to migrate.
             Tables(address.source(patienceSeconds = 0)).migrate()
             val source = address.source(POSTGRES_SECONDS)
@@ -139,18 +152,24 @@ class Database private constructor(
             )
         }
 
-        /** A connection that has the lock of the one server. */
-        private fun soleServer(address: PostgresAddress): Connection {
+        /**
+         * A connection that has the lock of the name. It also has a share of the lock that a server of an earlier version
+         * has alone, since that one would take everybody's leases away.
+         */
+        private fun takeName(
+            address: PostgresAddress,
+            name: String,
+        ): Connection {
             val connection = address.source(patienceSeconds = 0).connection
             val taken =
                 connection.createStatement().use { statement ->
-                    statement.executeQuery("SELECT pg_try_advisory_lock($SERVER_LOCK)").use {
-                        it.next() && it.getBoolean(1)
+                    statement.executeQuery(TAKE_NAME.format(name.hashCode())).use {
+                        it.next() && it.getBoolean(1) && it.getBoolean(2)
                     }
                 }
             if (taken) return connection
             connection.close()
-            throw CannotStart(CannotStart.StartFailure.USED, address)
+            throw CannotStart(CannotStart.StartFailure.NAME_USED, address, name)
         }
 
         /** @param first what each new connection does before all else */

@@ -15,6 +15,7 @@ import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.isStorageFull
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
 import java.util.function.Consumer
 
 /** Whether the queue is done with a submission. */
@@ -40,6 +41,18 @@ class Attempts(
 ) {
     private val log = LoggerFactory.getLogger(javaClass)
     private val held = ConcurrentHashMap<Lease, LeaseKeeper>()
+    private val open = AtomicInteger()
+
+    @Volatile
+    private var takes = true
+
+    /** Leaves all that waits to others from now on. */
+    fun takeNoMore() {
+        takes = false
+    }
+
+    /** How many attempts there are now, those included that have yet to find something to do. */
+    fun running(): Int = open.get()
 
     /**
      * Grades the submission whose turn it is, if one waits, and else one that is to be graded again. A mistake of ours is tried again; the last
@@ -48,7 +61,15 @@ class Attempts(
      * @throws InterruptedException when the server stops; the submission is back in the queue then
      */
     fun attemptNext(): AttemptOutcome {
-        if (!database.hasRoom()) return AttemptOutcome.TRY_AGAIN
+        open.incrementAndGet()
+        try {
+            return if (takes && database.hasRoom()) takeNext() else AttemptOutcome.TRY_AGAIN
+        } finally {
+            open.decrementAndGet()
+        }
+    }
+
+    private fun takeNext(): AttemptOutcome {
         leases.claimNext()?.let { lease ->
             claimed(lease.submission)
             return attempt(lease, leases) { live.judged(lease.submission.id, it) }

@@ -11,6 +11,7 @@ import com.github.kagkarlsson.shaded.jdbc.SQLRuntimeException
 import org.slf4j.LoggerFactory
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Secrets
+import rasterlab.grader.worker.Presence
 import java.time.Duration
 import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
@@ -21,6 +22,7 @@ import java.util.concurrent.TimeUnit
  * rings that were lost. All of its times are of the steady clock, so that none is far off when the other is set.
  *
  * @param workers how many submissions are graded at the same time
+ * @param presence tells others that this process is here
  */
 class GradingQueue(
     private val database: Database,
@@ -30,10 +32,13 @@ class GradingQueue(
     private val live: Live,
     private val clock: SteadyClock,
     workers: Int,
+    private val name: String = Leases.ONE_SERVER,
+    private val presence: Presence? = null,
 ) : AutoCloseable {
     private val log = LoggerFactory.getLogger(javaClass)
     private var wallAhead = Duration.ZERO
     private var failing = false
+    private var counts = emptyList<String>()
     private val sweeper = Executors.newSingleThreadScheduledExecutor { Thread(it, "sweep").apply { isDaemon = true } }
 
     private val task =
@@ -46,7 +51,7 @@ class GradingQueue(
     private val scheduler: Scheduler =
         Scheduler
             .create(database.scheduling, task)
-            .schedulerName(SchedulerName.Fixed("grader"))
+            .schedulerName(SchedulerName.Fixed(name))
             .threads(workers)
             .clock { clock.instant() }
             .pollUsingFetch(0.5, 1.0)
@@ -60,10 +65,21 @@ class GradingQueue(
             .failureLogging(LogLevel.WARN, true)
             .build()
 
-    /** Takes up what an earlier process left, and goes on from there. This process is alone on the database. */
+    /**
+     * Takes up what an earlier process left, and goes on from there: everything where no other can use the database,
+     * and else what one of this name had.
+     */
     fun start() {
-        leases.releaseAll()
-        database.write { it.execute("DELETE FROM scheduled_tasks") }
+        database.now()?.let(clock::follow)
+        if (database.isShared) leases.releaseHeld() else leases.releaseAll()
+        database.write {
+            if (database.isShared) {
+                it.execute("DELETE FROM scheduled_tasks WHERE picked_by = ?", name)
+            } else {
+                it.execute("DELETE FROM scheduled_tasks")
+            }
+        }
+        presence?.begin()
         scheduler.start()
         sweeper.scheduleWithFixedDelay(::keepAndSweep, 0, SWEEP.toMillis(), TimeUnit.MILLISECONDS)
     }
@@ -107,6 +123,14 @@ class GradingQueue(
                 .one()
         }
 
+    /** Takes nothing more, and returns when what is graded here is done, or after [patience]. */
+    fun drain(patience: Duration) {
+        scheduler.pause()
+        attempts.takeNoMore()
+        val end = System.nanoTime() + patience.toNanos()
+        while (attempts.running() > 0 && System.nanoTime() < end) TimeUnit.NANOSECONDS.sleep(GLANCE.toNanos())
+    }
+
     /**
      * Lets the sweep that is made end, which needs the database, and running attempts finish for a while; then
      * interrupts these, which puts them back.
@@ -115,14 +139,27 @@ class GradingQueue(
         sweeper.shutdown()
         sweeper.awaitTermination(STOP_WAIT.toMillis(), TimeUnit.MILLISECONDS)
         scheduler.stop()
+        leave()
+    }
+
+    /** A database that is away keeps no process from ending; others see by its silence that it has. */
+    private fun leave() {
+        try {
+            presence?.end()
+        } catch (failure: Exception) {
+            log.warn("{} stays on the list of those who grade: {}", name, failure.toString())
+        }
     }
 
     // The scheduled executor would never call again after an exception.
     private fun keepAndSweep() {
         tellSteps()
         try {
+            followDatabase()
             attempts.renew()
+            presence?.seen()
             sweep()
+            lookForMoves()
             if (failing) log.info("the sweep goes on")
             failing = false
         } catch (failure: Exception) {
@@ -131,6 +168,22 @@ class GradingQueue(
             if (!failing) log.error("the sweep failed and is made again each {}", SWEEP, failure)
             failing = true
         }
+    }
+
+    /** Rings that were to be answered by a clock that was set back since are made anew by the sweep. */
+    private fun followDatabase() {
+        val step = database.now()?.let(clock::follow) ?: return
+        if (step > STEP.negated()) return
+        log.warn("the database's clock was set by {}; what was due by it is due now", step)
+        database.write { it.execute("DELETE FROM scheduled_tasks WHERE NOT picked") }
+    }
+
+    /** Those who watch here are told what other processes do, too. */
+    private fun lookForMoves() {
+        if (!database.isShared) return
+        val now = submissions.counts()
+        if (now != counts) live.announce()
+        counts = now
     }
 
     private fun tellSteps() {
@@ -168,6 +221,7 @@ class GradingQueue(
     }
 
     private companion object {
+        val GLANCE: Duration = Duration.ofMillis(50)
         val SWEEP: Duration = Duration.ofSeconds(2)
 
         /** The rings for what is graded again, by sweep: fewer are written than a whole course has submissions. */

@@ -7,14 +7,54 @@ import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Reports
 import java.time.Duration
+import java.time.Instant
 import java.time.InstantSource
 import kotlin.jvm.optionals.getOrNull
 
-/** The right to grade a submission, until it runs out or the result is in. */
+/**
+ * The right to grade a submission, until it runs out or the result is in.
+ *
+ * @param token begins with the name of the process that has it
+ */
 data class Lease(
     val submission: Submission,
     val token: String,
-)
+) {
+    internal companion object {
+        /** A lease is over by time, or ends so late that the clock was set back since. */
+        const val RUN_OUT = "(lease_until <= :now OR lease_until > :latest)"
+
+        private const val HELD = "substr(lease, 1, :length) = :holder"
+
+        fun newToken(holder: String): String = "$holder ${Secrets.newId()}"
+
+        /** Makes [release], whose condition this adds to, of those that a process of that name held. */
+        fun releaseHeld(
+            handle: Handle,
+            release: String,
+            holder: String,
+        ) {
+            handle
+                .createUpdate("$release AND $HELD")
+                .bind("holder", "$holder ")
+                .bind("length", holder.length + 1)
+                .execute()
+        }
+
+        /** Makes [release], whose condition this adds to, of those that have run out. */
+        fun releaseRunOut(
+            handle: Handle,
+            release: String,
+            now: Instant,
+        ) {
+            handle
+                .createUpdate("$release AND $RUN_OUT")
+                .bind("now", now.text())
+                .bind("latest", (now + Leases.LENGTH + Leases.PAUSE).text())
+                .execute()
+        }
+    }
+}
 
 /** Keeps the leases of one kind of work. */
 interface LeaseKeeper {
@@ -43,22 +83,24 @@ interface LeaseKeeper {
  * another can write nothing any more.
  *
  * @param steady tells when a lease has run out: the other clock may be set while it runs
+ * @param holder the name of this process, which no other has that uses the database now
  */
 class Leases(
     private val database: Database,
     private val reports: Reports,
     private val clock: InstantSource,
     private val steady: InstantSource,
+    private val holder: String = ONE_SERVER,
 ) : LeaseKeeper {
     /** A submission that is measured again when nothing waits; that, too, is done under a lease. */
-    val measurements = Measurements(database, reports, steady)
+    val measurements = Measurements(database, reports, steady, holder)
 
     /** Submissions that are graded again when no new one waits. */
-    val regrades = RegradeLeases(database, reports, clock, steady)
+    val regrades = RegradeLeases(database, reports, clock, steady, holder)
 
     /** Begins an attempt at the submission whose turn it is, or null if none waits. */
     fun claimNext(): Lease? {
-        val token = Secrets.newId()
+        val token = Lease.newToken(holder)
         return database.write { handle ->
             val id = next(handle) ?: return@write null
             handle
@@ -138,12 +180,17 @@ class Leases(
     fun releaseExpired() {
         regrades.releaseExpired()
         database.write {
-            for (release in listOf("$RELEASE WHERE state = 'running'", "$MEASURED WHERE state = 'done'")) {
-                it
-                    .createUpdate("$release AND lease_until <= :now")
-                    .bind("now", after(Duration.ZERO))
-                    .execute()
-            }
+            Lease.releaseRunOut(it, "$RELEASE WHERE state <> 'done'", steady.instant())
+            Lease.releaseRunOut(it, "$MEASURED WHERE state = 'done'", steady.instant())
+        }
+    }
+
+    /** Puts back what an earlier process of this name held when it ended: for one that starts and shares its database. */
+    fun releaseHeld() {
+        regrades.releaseHeld()
+        database.write {
+            Lease.releaseHeld(it, "$RELEASE WHERE state = 'running'", holder)
+            Lease.releaseHeld(it, "$MEASURED WHERE state = 'done'", holder)
         }
     }
 
@@ -159,6 +206,9 @@ class Leases(
     private fun after(wait: Duration) = (steady.instant() + wait).text()
 
     companion object {
+        /** The name of the server where there is only one. */
+        const val ONE_SERVER = "server"
+
         /** The length of a lease, longer than a few missed renewals. */
         val LENGTH: Duration = Duration.ofSeconds(60)
 

@@ -3,7 +3,6 @@ package rasterlab.grader.submission
 import org.jdbi.v3.core.Handle
 import rasterlab.exercises.score.Report
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import java.time.Duration
 import java.time.InstantSource
@@ -14,11 +13,13 @@ import kotlin.jvm.optionals.getOrNull
  * The submission stays done meanwhile: only its points for speed may change.
  *
  * @param steady tells when the next try is due
+ * @param holder the name of this process, which measures them
  */
 class Measurements(
     private val database: Database,
     private val reports: Reports,
     private val steady: InstantSource,
+    private val holder: String,
 ) {
     /** Takes note, in the transaction that writes the result, that its speed is to be measured again. */
     fun note(
@@ -40,7 +41,7 @@ class Measurements(
 
     /** Begins another try, or null if none is due. */
     fun claimNext(): Lease? {
-        val token = Secrets.newId()
+        val token = Lease.newToken(holder)
         return database.write { handle ->
             val id = next(handle) ?: return@write null
             handle

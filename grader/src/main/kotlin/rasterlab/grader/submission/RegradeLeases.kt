@@ -4,7 +4,6 @@ import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.statement.Update
 import rasterlab.exercises.score.Report
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import java.time.Duration
 import java.time.InstantSource
@@ -15,12 +14,14 @@ import kotlin.jvm.optionals.getOrNull
  * until the whole regrade is accepted.
  *
  * @param steady tells when a lease has run out
+ * @param holder the name of this process, which grades them
  */
 class RegradeLeases(
     private val database: Database,
     private val reports: Reports,
     private val clock: InstantSource,
     private val steady: InstantSource,
+    private val holder: String,
 ) : LeaseKeeper {
     /** How many are still to be graded. */
     fun waiting(): Int =
@@ -33,7 +34,7 @@ class RegradeLeases(
 
     /** Begins an attempt at the next one, against the revision of its regrade; null if none waits, or a new one does. */
     fun claimNext(): Lease? {
-        val token = Secrets.newId()
+        val token = Lease.newToken(holder)
         return database.write { handle ->
             val next = next(handle) ?: return@write null
             handle
@@ -127,10 +128,7 @@ class RegradeLeases(
     /** Puts back what nobody grades any more, and ends what has nothing left to grade, as where a student was deleted. */
     fun releaseExpired() {
         database.write {
-            it
-                .createUpdate("$RELEASE AND lease_until <= :now")
-                .bind("now", after(Duration.ZERO))
-                .execute()
+            Lease.releaseRunOut(it, "$RELEASE WHERE state <> 'done'", steady.instant())
             RegradedResults.settle(it, clock.instant())
         }
     }
@@ -138,10 +136,12 @@ class RegradeLeases(
     /** Puts everything back: for a server that starts and is alone on its database. */
     fun releaseAll() {
         database.write {
-            it.execute(RELEASE)
-            it.execute("UPDATE regrade_items SET lease_until = NULL WHERE state = 'queued'")
+            it.execute("$RELEASE WHERE state <> 'done'")
         }
     }
+
+    /** Puts back what an earlier process of this name held when it ended. */
+    fun releaseHeld() = database.write { Lease.releaseHeld(it, "$RELEASE WHERE state = 'running'", holder) }
 
     private fun after(wait: Duration) = (steady.instant() + wait).text()
 
@@ -154,6 +154,6 @@ class RegradeLeases(
 
     private companion object {
         const val RELEASE =
-            "UPDATE regrade_items SET state = 'queued', lease = NULL, lease_until = NULL WHERE state = 'running'"
+            "UPDATE regrade_items SET state = 'queued', lease = NULL, lease_until = NULL"
     }
 }

@@ -61,6 +61,18 @@ class Submissions(
                 .one()
         }
 
+    /** How many there are in each state, and how many are graded again: whenever anything moves, this differs. */
+    fun counts(): List<String> =
+        database.read {
+            it
+                .createQuery(
+                    """SELECT state || ' ' || count(*) AS counted FROM submissions GROUP BY state
+                       UNION ALL SELECT 'again ' || state || ' ' || count(*) FROM regrade_items GROUP BY state
+                       ORDER BY counted""",
+                ).mapTo(String::class.java)
+                .list()
+        }
+
     fun ofStudent(
         student: String,
         exercise: String,

@@ -25,7 +25,7 @@ object TestDatabases {
                 .filter { it.isLetterOrDigit() }
                 .takeLast(40)
                 .lowercase()
-        return Database.open(checkNotNull(PostgresAddress.of(postgres.address(name))), folder, alone = false)
+        return Database.open(checkNotNull(PostgresAddress.of(postgres.address(name))), folder, null)
     }
 }
 

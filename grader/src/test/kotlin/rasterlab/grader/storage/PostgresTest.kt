@@ -81,11 +81,11 @@ class PostgresTest {
     @DisplayName("a second server takes the leases of the first away")
     fun isOneServersOwn() {
         val address = address("own")
-        Database.open(address, folder, alone = true).use {
-            refuses("another server is using it") { Database.open(address, folder, alone = true) }
-            Database.open(address, folder, alone = false).close()
+        Database.open(address, folder, "one").use {
+            refuses("another process named one is using it") { Database.open(address, folder, "one") }
+            Database.open(address, folder, null).close()
         }
-        Database.open(address, folder, alone = true).close()
+        Database.open(address, folder, "one").close()
     }
 
     @Test
@@ -109,7 +109,7 @@ class PostgresTest {
     @DisplayName("a program takes tables that only a later one understands")
     fun refusesNewerTables() {
         val address = address("newer")
-        Database.open(address, folder, alone = false).use { database ->
+        Database.open(address, folder, null).use { database ->
             database.write {
                 it.execute(
                     """INSERT INTO flyway_schema_history
@@ -120,7 +120,7 @@ class PostgresTest {
         }
         assertEquals(
             "9000",
-            assertThrows(NewerTables::class.java) { Database.open(address, folder, alone = false) }.version,
+            assertThrows(NewerTables::class.java) { Database.open(address, folder, null) }.version,
         )
     }
 

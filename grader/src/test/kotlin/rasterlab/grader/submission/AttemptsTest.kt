@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
@@ -70,6 +71,29 @@ open class AttemptsTest {
         attempts.attemptNext()
         val seed = checkNotNull(submissions.find(id)).seed
         assertEquals(List(2) { Grading.CaseSelection.all(seed) }, seeds)
+    }
+
+    @Test
+    @DisplayName("a process that starts takes the leases of others away, or waits for those that it had itself")
+    fun releasesWhatItHeldItself() {
+        val (one, other) = listOf("one", "one-more").map { Leases(database, reports, clock, clock, it) }
+        val held = List(2) { submission() }
+        val leases = listOf(checkNotNull(one.claimNext()), checkNotNull(other.claimNext()))
+        one.releaseHeld()
+        assertEquals(held[0], one.claimNext()?.submission?.id)
+        assertEquals(listOf(false, true), leases.map { one.finish(it, "r1", right) })
+    }
+
+    @Test
+    @DisplayName("a lease that the clock was set back behind lasts until the clock is there again")
+    fun isNotHeldUpByAClockThatIsSetBack() {
+        val id = submission()
+        leases.claimNext()
+        now -= Duration.ofHours(1)
+        leases.releaseExpired()
+        assertEquals(id, leases.claimNext()?.submission?.id)
+        leases.releaseExpired()
+        assertEquals(null, leases.claimNext())
     }
 
     @Test

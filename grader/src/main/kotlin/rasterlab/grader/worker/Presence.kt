@@ -1,0 +1,16 @@
+package rasterlab.grader.worker
+
+/** Tells all who share the database that this process is here, and how it grades. */
+class Presence(
+    private val workers: Workers,
+    private val own: Worker,
+) {
+    fun begin() = workers.begin(own)
+
+    fun seen() {
+        // Whoever was silent for a day is off the list.
+        if (!workers.seen(own.name)) workers.begin(own)
+    }
+
+    fun end() = workers.end(own.name)
+}

@@ -1,0 +1,96 @@
+package rasterlab.grader.postgres
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import rasterlab.exercises.catalogue.Catalogue
+import rasterlab.grader.ClassOfStudents
+import rasterlab.grader.course.Identity
+import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.PostgresAddress
+import rasterlab.grader.submission.Leases
+import rasterlab.grader.submission.SteadyClock
+import rasterlab.grader.worker.Workers
+import java.nio.file.Path
+import java.time.InstantSource
+import java.util.concurrent.TimeUnit.MINUTES
+import kotlin.io.path.readText
+
+/** A course in a database of its own, whose students hand in a starter; processes that the test starts grade it. */
+class SharedCourse(
+    private val folder: Path,
+    name: String,
+) : AutoCloseable {
+    val address = checkNotNull(TestDatabases.server).address(name)
+    val database = Database.open(checkNotNull(PostgresAddress.of(address)), folder, null)
+    val workers = Workers(database, SteadyClock(InstantSource.system()), Leases.LENGTH)
+    private val exercise = Catalogue.builtIn().all().first { it.id() == "window-segment" }
+    private val students = ClassOfStudents(database, InstantSource.system(), exercise)
+    private val processes = mutableListOf<GraderProcess>()
+
+    fun student(name: String): Identity.StudentIdentity = students.student(name)
+
+    fun handIn(student: Identity.StudentIdentity): String = students.handIn(student, exercise.starter())
+
+    fun worker(
+        name: String,
+        vararg more: String,
+    ): GraderProcess {
+        val data = folder.resolve("of-$name")
+        return start("worker", "--db", address, "--data", "$data", "--name", name, *more).also {
+            assertEquals(name, it.line("grading as "))
+        }
+    }
+
+    fun start(vararg arguments: String): GraderProcess = GraderProcess.start(*arguments).also { processes += it }
+
+    /** Waits until [holds], and fails after some minutes with what there is instead. */
+    fun await(
+        what: String,
+        holds: () -> Boolean,
+    ) {
+        val end = System.nanoTime() + MINUTES.toNanos(PATIENCE_MINUTES)
+        while (!holds()) {
+            check(System.nanoTime() < end) { "$what, but there are ${rows(STANDS)}" }
+            Thread.onSpinWait()
+        }
+    }
+
+    fun awaitAllDone() =
+        await("expected all to be graded") {
+            rows("SELECT id FROM submissions WHERE state <> 'done'").isEmpty()
+        }
+
+    /** The submissions that the process of that name grades now. */
+    fun heldBy(name: String): List<String> = rows("SELECT id FROM submissions WHERE lease LIKE '$name %'")
+
+    fun rows(select: String): List<String> = database.read { it.createQuery(select).mapTo(String::class.java).list() }
+
+    /** What the worker of that name wrote into its log. */
+    fun logOf(name: String): String = folder.resolve("of-$name/server.log").readText()
+
+    /** Lets all leases run out that a process of that name has. */
+    fun expire(name: String) {
+        database.write {
+            it.execute("UPDATE submissions SET lease_until = '2000-01-01T00:00:00.000Z' WHERE lease LIKE '$name %'")
+        }
+    }
+
+    /** Each submission has one result, and they are equal but for what was measured. */
+    fun requireEachOnce() {
+        assertEquals(listOf("1"), rows(RESULTS_OF_EACH))
+        assertEquals(1, rows("SELECT DISTINCT verdict || ' ' || accuracy || ' ' || stability FROM results").size)
+    }
+
+    override fun close() {
+        processes.forEach(GraderProcess::close)
+        database.close()
+    }
+
+    private companion object {
+        const val PATIENCE_MINUTES = 4L
+        const val RESULTS_OF_EACH =
+            """SELECT DISTINCT count(r.id) FROM submissions s LEFT JOIN results r ON r.submission_id = s.id
+               GROUP BY s.id"""
+        const val STANDS =
+            "SELECT state || ' ' || coalesce(lease, '-') || ' ' || tries FROM submissions ORDER BY sequence"
+    }
+}

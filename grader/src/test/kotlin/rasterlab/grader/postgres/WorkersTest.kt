@@ -1,0 +1,84 @@
+package rasterlab.grader.postgres
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Path
+
+/** Worker processes on one database. */
+@OnPostgres
+@Tag("slow")
+class WorkersTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    @DisplayName("a worker that is told to end drops what it grades, takes more, or stays on the list")
+    fun endsWhatItGrades() =
+        SharedCourse(folder, "drain").use { course ->
+            val ada = course.student("Ada")
+            val worker = course.worker("first")
+            assertEquals(listOf("first"), course.workers.all().map { it.worker.name })
+            repeat(3) { course.handIn(ada) }
+            course.await("expected a submission to be taken") { course.heldBy("first").isNotEmpty() }
+            val taken = course.heldBy("first")
+            worker.signal("TERM")
+            assertEquals(TERMINATED, worker.exit())
+            val done = course.rows("SELECT id FROM submissions WHERE state = 'done'")
+            assertTrue(done.containsAll(taken), "taken $taken, done $done")
+            assertEquals(listOf("0"), course.rows("SELECT DISTINCT tries FROM submissions WHERE state <> 'done'"))
+            assertEquals(emptyList<String>(), course.workers.all().map { it.worker.name })
+            course.worker("second")
+            course.awaitAllDone()
+            course.requireEachOnce()
+        }
+
+    @Test
+    @DisplayName("a worker that was cut off writes a second result, or one that starts anew waits for its own lease")
+    fun cutOffInTheMiddle() =
+        SharedCourse(folder, "cut").use { course ->
+            val ada = course.student("Ada")
+            val first = course.worker("first")
+            course.handIn(ada)
+            course.await("expected the submission to be taken") { course.heldBy("first").isNotEmpty() }
+            first.signal("STOP")
+            course.expire("first")
+            val second = course.worker("second")
+            course.awaitAllDone()
+            first.signal("CONT")
+            course.await("expected the late result to be told") {
+                "was given to another worker" in course.logOf("first")
+            }
+            course.requireEachOnce()
+
+            course.handIn(ada)
+            course.await("expected it to be taken") { course.rows(TAKEN).isNotEmpty() }
+            val holder = course.rows(TAKEN).single().substringBefore(' ')
+            (if (holder == "first") first else second).kill()
+            (if (holder == "first") second else first).kill()
+            course.worker(holder)
+            course.awaitAllDone()
+            course.requireEachOnce()
+        }
+
+    @Test
+    @DisplayName("two workers of one name, or one without a shared database, start")
+    fun refusesToStart() =
+        SharedCourse(folder, "refused").use { course ->
+            course.worker("first")
+            val same = course.start("worker", "--db", course.address, "--data", "$folder/same", "--name", "first")
+            assertEquals(2, same.exit())
+            for (db in listOf(listOf("--db", "sqlite:$folder/a.db"), emptyList())) {
+                assertEquals(2, course.start("worker", "--data", "$folder/none", *db.toTypedArray()).exit())
+            }
+        }
+
+    private companion object {
+        /** What Java exits with at that signal, whatever was done before. */
+        const val TERMINATED = 143
+        const val TAKEN = "SELECT lease FROM submissions WHERE state = 'running'"
+    }
+}
