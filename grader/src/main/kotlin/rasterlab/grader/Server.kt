@@ -94,6 +94,7 @@ import rasterlab.grader.web.protect
 import rasterlab.grader.worker.Presence
 import rasterlab.grader.worker.Worker
 import rasterlab.grader.worker.Workers
+import rasterlab.grader.worker.workers
 import java.net.InetAddress
 import java.time.Duration
 import java.time.InstantSource
@@ -204,6 +205,7 @@ class Server(
             CommentedSource(comments, keptComments, courses),
             similar,
             live,
+            workers,
             isolation,
             clock,
         )
@@ -247,6 +249,7 @@ class Server(
                 authenticate {
                     courses(courses, accounts)
                     staff(staff, audit)
+                    workers(workers)
                     roster(courses, roster)
                     grades(grades)
                     exercises(exercises, sheets::starter, rules::of, submissions::standingOf)

@@ -37,7 +37,7 @@ import java.util.concurrent.Callable
     mixinStandardHelpOptions = true,
     description = [
         "Grades what servers on other machines take in, from the PostgreSQL database that they share.",
-        "Told to end, it takes nothing more, and ends what it grades first.",
+        "Told to end, by a signal or on the page of those who grade, it ends first what it grades.",
     ],
 )
 internal class WorkerCommand(
@@ -89,7 +89,7 @@ internal class WorkerCommand(
                 queue(name, database, judge, stop).use { queue ->
                     queue.start()
                     announce(name, judge)
-                    stop.await()
+                    while (!stop.await(GLANCE)) if (queue.isDrained()) break
                     queue.drain(LAST_WORK)
                 }
             }
@@ -135,7 +135,10 @@ internal class WorkerCommand(
     }
 
     private companion object {
-        /** What is graded when the worker is told to end may take so long; then it is put back into the queue. */
+        /** How soon it ends when it is drained. */
+        val GLANCE: Duration = Duration.ofMillis(500)
+
+        /** The time for the last work of a worker that is told to end; then that is put back into the queue. */
         val LAST_WORK: Duration = Duration.ofSeconds(60)
     }
 }

@@ -81,6 +81,10 @@ sealed class Rejection(
         val id: String,
     ) : Rejection("no instructor or assistant '$id'", "unknown-staff")
 
+    class UnknownWorker(
+        name: String,
+    ) : Rejection("nobody who grades is called '$name'", "unknown-worker")
+
     /** The only instructor keeps the access: nobody else could give any. */
     class LastInstructor :
         Rejection("this is the only instructor who has access; add another one first", "last-instructor")
@@ -349,6 +353,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
         is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment, is Rejection.UnknownComment -> NotFound
+        is Rejection.UnknownWorker -> NotFound
         is Rejection.RegradeStands -> Conflict
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity

@@ -42,7 +42,7 @@ class Database private constructor(
     /** Whether several processes may grade what is in it. */
     val isShared: Boolean get() = firstInWrite != null
 
-    /** What the database's own clock shows, which all who share it follow; null where one process has it to itself. */
+    /** Reads the database's own clock, which all who share it follow; null where one process has it to itself. */
     fun now(): Instant? = if (isShared) read { it.createQuery(CLOCK).mapTo(Instant::class.java).one() } else null
 
     fun <T> read(work: (Handle) -> T): T = reads.withHandle<T, Exception> { work(it) }

@@ -43,13 +43,9 @@ class Attempts(
     private val held = ConcurrentHashMap<Lease, LeaseKeeper>()
     private val open = AtomicInteger()
 
+    /** Whether something new is begun, or all that waits is left to others. */
     @Volatile
-    private var takes = true
-
-    /** Leaves all that waits to others from now on. */
-    fun takeNoMore() {
-        takes = false
-    }
+    var takes = true
 
     /** How many attempts there are now, those included that have yet to find something to do. */
     fun running(): Int = open.get()

@@ -38,6 +38,9 @@ class GradingQueue(
     private val log = LoggerFactory.getLogger(javaClass)
     private var wallAhead = Duration.ZERO
     private var failing = false
+
+    @Volatile
+    private var ends = false
     private var counts = emptyList<String>()
     private val sweeper = Executors.newSingleThreadScheduledExecutor { Thread(it, "sweep").apply { isDaemon = true } }
 
@@ -123,10 +126,20 @@ class GradingQueue(
                 .one()
         }
 
+    /** Whether it was asked to take nothing more, and grades nothing now. */
+    fun isDrained(): Boolean = !attempts.takes && attempts.running() == 0
+
+    private fun take(more: Boolean) {
+        if (attempts.takes == more) return
+        attempts.takes = more
+        if (more) scheduler.resume() else scheduler.pause()
+        log.info(if (more) "takes work" else "takes no more work")
+    }
+
     /** Takes nothing more, and returns when what is graded here is done, or after [patience]. */
     fun drain(patience: Duration) {
-        scheduler.pause()
-        attempts.takeNoMore()
+        ends = true
+        take(false)
         val end = System.nanoTime() + patience.toNanos()
         while (attempts.running() > 0 && System.nanoTime() < end) TimeUnit.NANOSECONDS.sleep(GLANCE.toNanos())
     }
@@ -157,7 +170,7 @@ class GradingQueue(
         try {
             followDatabase()
             attempts.renew()
-            presence?.seen()
+            take(!ends && presence?.seen() != true)
             sweep()
             lookForMoves()
             if (failing) log.info("the sweep goes on")
@@ -178,7 +191,7 @@ class GradingQueue(
         database.write { it.execute("DELETE FROM scheduled_tasks WHERE NOT picked") }
     }
 
-    /** Those who watch here are told what other processes do, too. */
+    /** Tells those who watch here what other processes do, too. */
     private fun lookForMoves() {
         if (!database.isShared) return
         val now = submissions.counts()

@@ -146,6 +146,7 @@ private suspend fun ApplicationCall.respondDesk(
             section("card") {
                 h2 { +texts.say("instructor.isolation") }
                 p { +isolation.describe(texts.language) }
+                if (mayChange) p("ways") { a("/instructor/workers") { +texts.say("worker.open") } }
             }
         }
         h2 { +texts.say("instructor.latest") }

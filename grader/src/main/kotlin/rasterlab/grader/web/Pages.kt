@@ -31,6 +31,7 @@ import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Marks
 import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.Submissions
+import rasterlab.grader.worker.Workers
 import java.time.InstantSource
 
 /** The pages for people, and the files that they use. */
@@ -55,6 +56,7 @@ fun Route.pages(
     clonePages(accounts, courses, clones)
     staffPages(accounts, staff)
     auditPages(accounts, audit)
+    workerPages(accounts, workers)
 }
 
 /** The services that the pages ask. */
@@ -82,6 +84,7 @@ class PageParts(
     handed: HandedView,
     val similar: Similar,
     val live: Live,
+    val workers: Workers,
     val isolation: Isolation,
     val clock: InstantSource,
 ) {

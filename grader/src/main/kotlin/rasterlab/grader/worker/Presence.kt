@@ -7,9 +7,11 @@ class Presence(
 ) {
     fun begin() = workers.begin(own)
 
-    fun seen() {
+    /** Says that it is still here; returns whether it was asked to take nothing more. */
+    fun seen(): Boolean {
         // Whoever was silent for a day is off the list.
         if (!workers.seen(own.name)) workers.begin(own)
+        return workers.isDraining(own.name)
     }
 
     fun end() = workers.end(own.name)

@@ -3,6 +3,8 @@ package rasterlab.grader.worker
 
 import rasterlab.exercises.runner.Isolation
 import rasterlab.exercises.score.Message
+import rasterlab.grader.course.AuditNote
+import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.text
 import java.time.Duration
@@ -38,18 +40,26 @@ data class Worker(
     }
 }
 
+/** Whether a process takes work; a lost one is silent for so long that others grade what it had. */
+enum class WorkerState {
+    TAKING,
+    DRAINING,
+    LOST,
+    ;
+
+    val code = name.lowercase()
+}
+
 /**
  * A process as it was last seen.
  *
- * @param lost whether it was not seen for so long that others grade what it had
  * @param grading how many submissions it grades now
  */
 data class WorkerSeen(
     val worker: Worker,
     val startedAt: Instant,
     val seenAt: Instant,
-    val lost: Boolean,
-    val draining: Boolean,
+    val state: WorkerState,
     val grading: Int,
 )
 
@@ -98,6 +108,41 @@ class Workers(
                 .execute() == 1
         }
 
+    /** Whether one was asked to take nothing more. */
+    fun isDraining(name: String): Boolean =
+        database.read {
+            it
+                .createQuery("SELECT count(*) FROM workers WHERE name = :name AND is_draining = 1")
+                .bind("name", name)
+                .mapTo(Int::class.javaObjectType)
+                .one() > 0
+        }
+
+    /**
+     * Asks one to take nothing more, or to take work again.
+     *
+     * @param by id of the account
+     * @throws Rejection.UnknownWorker where none of that name is on the list
+     */
+    fun drain(
+        name: String,
+        drains: Boolean,
+        by: String,
+    ): WorkerSeen {
+        database.write { handle ->
+            val changed =
+                handle
+                    .createUpdate("UPDATE workers SET is_draining = :drains WHERE name = :name")
+                    .bind("drains", if (drains) 1 else 0)
+                    .bind("name", name)
+                    .execute()
+            if (changed == 0) throw Rejection.UnknownWorker(name)
+            val action = if (drains) "worker-drain" else "worker-resume"
+            AuditNote(by, course = null, action, name, detail = "").write(handle, clock.instant())
+        }
+        return all().find { it.worker.name == name } ?: throw Rejection.UnknownWorker(name)
+    }
+
     /** Takes one that ends off the list. */
     fun end(name: String) {
         database.write { it.execute("DELETE FROM workers WHERE name = ?", name) }
@@ -120,8 +165,11 @@ class Workers(
                         ),
                         Instant.parse(row.getString("started_at")),
                         Instant.parse(row.getString("seen_at")),
-                        row.getString("seen_at") < lost,
-                        row.getInt("is_draining") == 1,
+                        when {
+                            row.getString("seen_at") < lost -> WorkerState.LOST
+                            row.getInt("is_draining") == 1 -> WorkerState.DRAINING
+                            else -> WorkerState.TAKING
+                        },
                         row.getInt("grading"),
                     )
                 }.list()

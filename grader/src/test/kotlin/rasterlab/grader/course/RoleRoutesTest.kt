@@ -179,6 +179,7 @@ class RoleRoutesTest {
                 "staff" to assistants[1].id,
                 "token" to others[1],
                 "regrade" to "none",
+                "worker" to "none",
                 "adjustment" to "none",
                 "comment" to question.text("id"),
                 "kept" to "none",

@@ -64,7 +64,7 @@ class SharedCourse(
 
     fun rows(select: String): List<String> = database.read { it.createQuery(select).mapTo(String::class.java).list() }
 
-    /** What the worker of that name wrote into its log. */
+    /** Reads the log of the worker of that name. */
     fun logOf(name: String): String = folder.resolve("of-$name/server.log").readText()
 
     /** Lets all leases run out that a process of that name has. */

@@ -49,6 +49,7 @@ class ServerWordsTest {
                     Rejection.UnknownScene.class,
                     Rejection.UnknownStudent.class,
                     Rejection.UnknownStaff.class,
+                    Rejection.UnknownWorker.class,
                     Rejection.LastInstructor.class,
                     Rejection.WrongMethod.class,
                     Rejection.WrongMediaType.class);

@@ -1,0 +1,99 @@
+package rasterlab.grader.web
+
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.respondRedirect
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.routing.post
+import io.ktor.server.util.getOrFail
+import kotlinx.html.FlowContent
+import kotlinx.html.FormMethod
+import kotlinx.html.ThScope
+import kotlinx.html.a
+import kotlinx.html.button
+import kotlinx.html.form
+import kotlinx.html.p
+import kotlinx.html.table
+import kotlinx.html.tbody
+import kotlinx.html.td
+import kotlinx.html.th
+import kotlinx.html.thead
+import kotlinx.html.tr
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Identity
+import rasterlab.grader.worker.WorkerSeen
+import rasterlab.grader.worker.WorkerState
+import rasterlab.grader.worker.Workers
+
+private const val ADDRESS = "/instructor/workers"
+
+/** Shows an instructor who grades, on which machine and how isolated, and lets them drain one. */
+fun Route.workerPages(
+    accounts: Accounts,
+    workers: Workers,
+) {
+    get(ADDRESS) { call.respondWorkers(call.instructorHere(accounts), workers.all()) }
+    for ((word, drains) in listOf("drain" to true, "resume" to false)) {
+        post("$ADDRESS/{worker}/$word") {
+            call.requireOwnForm()
+            val who = call.instructorHere(accounts)
+            workers.drain(call.parameters.getOrFail("worker"), drains, who.id)
+            call.respondRedirect(ADDRESS)
+        }
+    }
+}
+
+private suspend fun ApplicationCall.respondWorkers(
+    who: Identity.Instructor,
+    all: List<WorkerSeen>,
+) {
+    val texts = texts()
+    respondPage(texts, who, texts.say("worker.title")) {
+        p { a("/instructor") { +texts.say("token.back") } }
+        p("plan") { +texts.say("worker.about") }
+        if (all.isEmpty()) p { +texts.say("worker.none") } else workerTable(texts, all)
+    }
+}
+
+private fun FlowContent.workerTable(
+    texts: PageTexts,
+    all: List<WorkerSeen>,
+) = scrolling(texts.say("worker.title")) {
+    table("students") {
+        thead {
+            tr {
+                listOf("name", "host", "kind", "isolation", "grading", "started", "state").forEach {
+                    th(scope = ThScope.col) { +texts.say("worker.column.$it") }
+                }
+            }
+        }
+        tbody {
+            all.forEach { one ->
+                tr {
+                    td { +one.worker.name }
+                    td { +one.worker.host }
+                    td { +texts.say(if (one.worker.serves) "worker.serves" else "worker.grades") }
+                    td { +one.worker.isolation.`in`(texts.language) }
+                    td { +texts.say("worker.load", "${one.grading}", "${one.worker.slots}") }
+                    td { moment(one.startedAt) }
+                    td { standing(texts, one) }
+                }
+            }
+        }
+    }
+}
+
+private fun FlowContent.standing(
+    texts: PageTexts,
+    one: WorkerSeen,
+) {
+    p { +texts.say("worker.state.${one.state.code}", one.seenAt.forPeople()) }
+    if (one.state == WorkerState.LOST) return
+    val word = if (one.state == WorkerState.DRAINING) "resume" else "drain"
+    form("$ADDRESS/${one.worker.name}/$word", method = FormMethod.post) {
+        button(classes = "plain") {
+            attributes["aria-label"] = "${texts.say("worker.$word")}: ${one.worker.name}"
+            +texts.say("worker.$word")
+        }
+    }
+}
