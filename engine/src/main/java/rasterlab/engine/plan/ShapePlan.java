@@ -22,6 +22,18 @@ final class ShapePlan {
     /** Meshes of fewer faces are left as they are. */
     private static final int FEW = 64;
 
+    /** Steps of one direction whose rise is looked at alone. */
+    private static final int PROBED = 24;
+
+    /** Steps so fine that their own rise does not count. */
+    private static final int FINE = 4096;
+
+    /** Factors of the proportion of both directions' steps. */
+    private static final double[] LEANS = {0.7, 1, 1.4};
+
+    /** Parts that the way from one step to the full ones is divided into. */
+    private static final int PARTS = 512;
+
     /** The share of the level tolerance that coarser normals may use. */
     static final double LEVELS = 0.5;
 
@@ -141,34 +153,69 @@ final class ShapePlan {
         if (faces.length > 0) made.add(scene.only(faces).mesh(), finish);
     }
 
-    /** The fewest faces within the tolerance: along the diagonal first, then one step alone. */
+    /**
+     * The fewest faces within the tolerance. Where rises of both directions add up to A/u² + B/v²,
+     * u·v is least at u:v = √A:√B; at poles both act together, so that other proportions are tried
+     * too. In each a few places tell where to begin; from there on all are looked at, until it is
+     * enough, and single steps are taken away.
+     */
     private ShapeSteps fewest(ShapePart part, ShapeSteps full) {
         double perUnit = pixelsPerUnit(part);
-        int low = 1;
-        int high = 64;
-        while (low < high) {
-            int middle = (low + high) / 2;
-            int u = scaled(full.u(), 4, middle);
-            if (enough(u, scaled(full.v(), 3, middle), part, full, perUnit)) high = middle;
-            else low = middle + 1;
+        if (!enough(full, part, full, perUnit)) return full;
+        double u = Math.sqrt(part.atLeast(PROBED, FINE).sag());
+        double v = Math.sqrt(part.atLeast(FINE, PROBED).sag());
+        ShapeSteps begin = full;
+        for (double lean : LEANS) {
+            ShapeSteps found = begin(lean * u, v, part, full);
+            if (found.faces() < begin.faces()) begin = found;
         }
-        ShapeSteps best =
-                high == 64
-                        ? full
-                        : part.steps(scaled(full.u(), 4, high), scaled(full.v(), 3, high));
-        for (int axis = 0; axis < 2; axis++)
-            while (true) {
-                int u = axis == 0 ? best.u() - Math.max(1, best.u() / 12) : best.u();
-                int v = axis == 1 ? best.v() - Math.max(1, best.v() / 12) : best.v();
-                if (u < 4 || v < 3 || v > full.v()) break;
-                if (!enough(u, v, part, full, perUnit)) break;
-                best = part.steps(u, v);
-            }
-        return best;
+        ShapeSteps next = begin;
+        while (next.faces() < full.faces() && !enough(next.u(), next.v(), part, full, perUnit))
+            next =
+                    part.atLeast(
+                            Math.min(full.u(), next.u() + Math.max(1, next.u() / 64)),
+                            Math.min(full.v(), next.v() + Math.max(1, next.v() / 64)));
+        return next.faces() < full.faces() ? trimmed(next, part, full, perUnit) : full;
     }
 
-    private static int scaled(int full, int least, int of64) {
-        return Math.max(Math.min(least, full), (full * of64 + 63) / 64);
+    /** The fewest steps in a proportion for which a few places are within the tolerance. */
+    private ShapeSteps begin(double u, double v, ShapePart part, ShapeSteps full) {
+        double perUnit = pixelsPerUnit(part);
+        double finest =
+                Math.max(full.u() / Math.max(u, 1e-9 * v), full.v() / Math.max(v, 1e-9 * u));
+        int low = 1;
+        int high = PARTS;
+        while (low < high) {
+            int middle = (low + high) / 2;
+            if (enough(glance(finest * middle / PARTS, u, v, part, full), part, full, perUnit))
+                high = middle;
+            else low = middle + 1;
+        }
+        return glance(finest * high / PARTS, u, v, part, full);
+    }
+
+    private static ShapeSteps glance(
+            double scale, double u, double v, ShapePart part, ShapeSteps full) {
+        return part.atLeast(steps(scale * u, 4, full.u()), steps(scale * v, 3, full.v()));
+    }
+
+    /** Takes away steps while that is enough, of the direction first that saves more faces. */
+    private ShapeSteps trimmed(ShapeSteps from, ShapePart part, ShapeSteps full, double perUnit) {
+        ShapeSteps best = from;
+        while (true) {
+            boolean rows = best.u() > best.v();
+            int u = best.u();
+            int v = best.v();
+            if (v > 3 && rows && enough(u, v - 1, part, full, perUnit)) v--;
+            else if (u > 4 && enough(u - 1, v, part, full, perUnit)) u--;
+            else if (v > 3 && !rows && enough(u, v - 1, part, full, perUnit)) v--;
+            else return best;
+            best = part.steps(u, v);
+        }
+    }
+
+    private static int steps(double wanted, int least, int full) {
+        return (int) Math.max(Math.min(least, full), Math.min(full, Math.ceil(wanted)));
     }
 
     /** Whether steps are within the tolerance; a look at a few places refuses most that are not. */

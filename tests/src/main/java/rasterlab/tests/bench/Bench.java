@@ -31,6 +31,7 @@ import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.tests.bench.language.BenchWords;
 import rasterlab.tests.bench.pipeline.PipelineBench;
+import rasterlab.tests.bench.plan.FaceCounts;
 import rasterlab.tests.bench.plan.PlanBench;
 import rasterlab.tests.bench.window.WindowBench;
 
@@ -140,6 +141,8 @@ public final class Bench implements Callable<Integer> {
         }
         if (group.equals(PLAN)) {
             new PlanBench(quick, words, console.out()).run();
+            console.out().println();
+            FaceCounts.print(words, console.out());
             return 0;
         }
         if (group.equals(PIPELINE)) {
