@@ -216,11 +216,18 @@ class Door(
         }
     }
 
+    /**
+     * Opens a connection to the engine.
+     *
+     * @throws IOException where the engine would have no file for its end: it would leave the client
+     *   waiting, and use up a core in trying again
+     */
     private fun connect(client: Passage): SocketChannel {
         val channel = SocketChannel.open()
         try {
             channel.configureBlocking(false)
             channel.bind(InetSocketAddress(inner.address, 0))
+            SocketChannel.open().close()
             channel.connect(inner)
             clients[(channel.localAddress as InetSocketAddress).port] = client.address
             return channel
