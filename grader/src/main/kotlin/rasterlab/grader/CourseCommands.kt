@@ -173,7 +173,7 @@ internal class CourseGradesCommand : Callable<Int> {
         names = ["--for"],
         paramLabel = "READER",
         descriptionKey = "course.for",
-        description = ["Who reads it: people, moodle or canvas (default: \${DEFAULT-VALUE})."],
+        description = ["Who reads it: people, moodle or canvas; default: \${DEFAULT-VALUE}."],
     )
     var reader = GradesReader.PEOPLE
 

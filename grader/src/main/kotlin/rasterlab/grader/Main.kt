@@ -43,7 +43,7 @@ private class GraderProgram(
         paramLabel = "LANGUAGE",
         scope = ScopeType.INHERIT,
         description = [
-            "Language of what is printed here, en or ru (default: en).",
+            "Language of what is printed here, en or ru; default: en.",
             "The lines with the address and the token are the same in both, its log is in English,",
             "and the server's pages are in their reader's language.",
         ],

@@ -25,7 +25,7 @@ internal class DataOptions {
         paramLabel = "DIR",
         defaultValue = "rasterlab-data",
         descriptionKey = "data.of",
-        description = ["The server's data folder (default: \${DEFAULT-VALUE})."],
+        description = ["The server's data folder; default: \${DEFAULT-VALUE}."],
     )
     lateinit var data: Path
 
@@ -34,8 +34,8 @@ internal class DataOptions {
         paramLabel = "URL",
         descriptionKey = "db",
         description = [
-            "Database, sqlite:FILE or postgresql://USER@HOST:PORT/NAME",
-            "(default: rasterlab.db in the data folder).",
+            "Database, sqlite:FILE or postgresql://USER@HOST:PORT/NAME;",
+            "default: rasterlab.db in the data folder.",
         ],
     )
     var db: String? = null
@@ -126,7 +126,7 @@ internal class TokenCommand : Callable<Int> {
         paramLabel = "WHO",
         defaultValue = INSTRUCTOR,
         descriptionKey = "token.who",
-        description = ["instructor, or a student's id (default: \${DEFAULT-VALUE})."],
+        description = ["instructor, or a student's id; default: \${DEFAULT-VALUE}."],
     )
     lateinit var who: String
 

@@ -35,7 +35,7 @@ internal fun regradeCommands(words: CommandWords): CommandLine =
     name = "regrade",
     mixinStandardHelpOptions = true,
     description = [
-        "Grades submissions again: against the exercise as it is now, behind whatever students hand in.",
+        "Grades submissions again: against the exercise as it is now, behind whatever students submit.",
         "The server does the grading; it may run meanwhile, or be started later.",
     ],
 )
@@ -67,7 +67,7 @@ private class RegradeStartCommand : Callable<Int> {
         names = ["--of"],
         paramLabel = "CHOICE",
         descriptionKey = "regrade.of",
-        description = ["Which: all, the latest of each student, or the best", "(default: \${DEFAULT-VALUE})."],
+        description = ["Which: all, the latest of each student, or the best;", "default: \${DEFAULT-VALUE}."],
     )
     var of = "all"
 

@@ -92,7 +92,7 @@ internal class CourseRulesCommand : Callable<Int> {
         names = ["--attempts"],
         paramLabel = "N",
         descriptionKey = "rules.attempts",
-        description = ["How often a student may hand in what counts; empty for any number."],
+        description = ["How often a student may submit what counts; empty for any number."],
     )
     var attempts: String? = null
 

@@ -51,7 +51,7 @@ internal class ServeCommand(
         paramLabel = "DIR",
         defaultValue = "rasterlab-data",
         description = [
-            "Folder for the database and the log, made if missing (default: \${DEFAULT-VALUE}).",
+            "Folder for the database and the log, made if missing; default: \${DEFAULT-VALUE}.",
         ],
     )
     lateinit var data: Path
@@ -61,7 +61,7 @@ internal class ServeCommand(
         paramLabel = "HOST",
         defaultValue = "127.0.0.1",
         description = [
-            "Address to listen on; 0.0.0.0 for all (default: \${DEFAULT-VALUE}).",
+            "Address to listen on; 0.0.0.0 for all; default: \${DEFAULT-VALUE}.",
         ],
     )
     lateinit var host: String
@@ -71,7 +71,7 @@ internal class ServeCommand(
         paramLabel = "PORT",
         defaultValue = "8080",
         description = [
-            "Port to listen on; 0 takes a free one (default: \${DEFAULT-VALUE}).",
+            "Port to listen on; 0 takes a free one; default: \${DEFAULT-VALUE}.",
         ],
     )
     var port = 8080
@@ -80,8 +80,8 @@ internal class ServeCommand(
         names = ["--db"],
         paramLabel = "URL",
         description = [
-            "Database, sqlite:FILE or postgresql://USER@HOST:PORT/NAME",
-            "(default: rasterlab.db in the data folder).",
+            "Database, sqlite:FILE or postgresql://USER@HOST:PORT/NAME;",
+            "default: rasterlab.db in the data folder.",
         ],
     )
     var db: String? = null
@@ -98,7 +98,7 @@ internal class ServeCommand(
         paramLabel = "ADDRESS",
         description = [
             "Addresses of reverse proxies, with commas between them: what their headers X-Forwarded-For and",
-            "X-Forwarded-Proto say is believed (default: nobody's).",
+            "X-Forwarded-Proto say is believed; default: nobody's.",
         ],
     )
     var proxy: String? = null
@@ -124,7 +124,7 @@ internal class ServeCommand(
         names = ["--entries-per-minute"],
         paramLabel = "N",
         defaultValue = "120",
-        description = ["Joins and sign-ins from one address, 1 to 100000 (default: \${DEFAULT-VALUE})."],
+        description = ["Joins and sign-ins from one address, 1 to 100000; default: \${DEFAULT-VALUE}."],
     )
     var entriesPerMinute = 120
 
@@ -132,7 +132,7 @@ internal class ServeCommand(
         names = ["--submissions-per-minute"],
         paramLabel = "N",
         defaultValue = "20",
-        description = ["Submissions of one student, 1 to 100000 (default: \${DEFAULT-VALUE})."],
+        description = ["Submissions of one student, 1 to 100000; default: \${DEFAULT-VALUE}."],
     )
     var submissionsPerMinute = 20
 
@@ -140,7 +140,7 @@ internal class ServeCommand(
         names = ["--waiting"],
         paramLabel = "N",
         defaultValue = "5",
-        description = ["Submissions of one student that may wait, 1 to 100000 (default: \${DEFAULT-VALUE})."],
+        description = ["Submissions of one student that may wait, 1 to 100000; default: \${DEFAULT-VALUE}."],
     )
     var waiting = 5
 

@@ -92,7 +92,7 @@ internal class StaffAddCommand : Callable<Int> {
         names = ["--role"],
         paramLabel = "ROLE",
         descriptionKey = "staff.role",
-        description = ["instructor or assistant (default: \${DEFAULT-VALUE})."],
+        description = ["instructor or assistant; default: \${DEFAULT-VALUE}."],
     )
     var role = StaffRole.ASSISTANT
 

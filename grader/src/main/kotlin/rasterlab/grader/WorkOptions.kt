@@ -18,8 +18,8 @@ internal class WorkOptions {
         paramLabel = "NAME",
         descriptionKey = "process.name",
         description = [
-            "Name of this process among those that use the database",
-            "(default: server for the server, and for a worker the name of its machine).",
+            "Name of this process among those that use the database;",
+            "default: server for the server, and for a worker the name of its machine.",
         ],
     )
     var name: String? = null
@@ -46,7 +46,7 @@ internal class WorkOptions {
         paramLabel = "N",
         defaultValue = "1",
         description = [
-            "Submissions graded at the same time, 1 to 64 (default: \${DEFAULT-VALUE}).",
+            "Submissions graded at the same time, 1 to 64; default: \${DEFAULT-VALUE}.",
             "With more than half the cores, measured speeds mean little.",
         ],
     )
@@ -57,7 +57,7 @@ internal class WorkOptions {
         paramLabel = "MIB",
         defaultValue = "256",
         description = [
-            "Memory for the server's own objects in MiB, 64 to 65536 (default: \${DEFAULT-VALUE}).",
+            "Memory for the server's own objects in MiB, 64 to 65536; default: \${DEFAULT-VALUE}.",
             "The processes that run sources have theirs.",
             "It is ./lab that sets the limit as it starts Java.",
         ],

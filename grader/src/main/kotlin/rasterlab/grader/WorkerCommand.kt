@@ -62,7 +62,7 @@ internal class WorkerCommand(
         paramLabel = "DIR",
         defaultValue = "rasterlab-worker",
         descriptionKey = "worker.data",
-        description = ["Folder for the log, made if missing (default: \${DEFAULT-VALUE})."],
+        description = ["Folder for the log, made if missing; default: \${DEFAULT-VALUE}."],
     )
     lateinit var data: Path
 

@@ -107,7 +107,7 @@ class RefusalLanguageTest {
         offerLine();
         speakEnglish();
         assertEquals(
-                "“Break it: lines of pixels”: change the input here, then hand it in",
+                "“Break it: lines of pixels”: change the input here, then submit it",
                 text("handIn.for"));
     }
 

@@ -156,7 +156,7 @@ class BreakRunTest {
         }
         List<String> said = new ArrayList<>();
         report.diagnostics().forEach(one -> said.add(one.message("en")));
-        assertTrue(said.toString().contains("hand in a smaller one"), said.toString());
+        assertTrue(said.toString().contains("submit a smaller one"), said.toString());
         assertTrue(said.toString().contains("with input 1"), said.toString());
         assertEquals(GradingVerdict.OK, of(report, "axes-twice").verdict());
     }

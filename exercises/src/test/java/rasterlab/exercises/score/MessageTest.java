@@ -260,9 +260,9 @@ class MessageTest {
 
     @ParameterizedTest(name = "one of a kind is told as several: {0}")
     @CsvSource({
-        "1, the array has 1 input; 1 to 3 can be handed in",
-        "0, the array has 0 inputs; 1 to 3 can be handed in",
-        "21, the array has 21 inputs; 1 to 3 can be handed in"
+        "1, the array has 1 input; 1 to 3 can be submitted",
+        "0, the array has 0 inputs; 1 to 3 can be submitted",
+        "21, the array has 21 inputs; 1 to 3 can be submitted"
     })
     void aCountHasTheFormThatGoesWithIt(int count, String said) {
         assertEquals(said, Message.of("break.count", count, 3).in("en"));

@@ -256,7 +256,7 @@ sealed class Rejection(
         due: Instant,
         what: Lateness,
     ) : Rejection(
-            "the deadline was $due; ${what.words}: hand it in again with ?late=accept if you want that",
+            "the deadline was $due; ${what.words}: submit it again with ?late=accept if you want that",
             what.code,
         )
 

@@ -179,7 +179,7 @@ class OpenedCasesTest {
                 json("""{"deadline":"${due + Duration.ofHours(48)}","reason":"ill"}""")
             }
             now = due + Duration.ofHours(72)
-            assertStillHidden(student, id, "Hidden cases are shown with everything when nobody can hand in")
+            assertStillHidden(student, id, "Hidden cases are shown with everything when nobody can submit")
             now += Duration.ofMillis(1)
             assertEquals(4, pictures(student, id))
         }
@@ -196,7 +196,7 @@ class OpenedCasesTest {
     ) {
         assertEquals(0, pictures(student, id))
         val result = page(student, "/submissions/$id?lang=en")
-        assertTrue("Hidden cases are shown with everything when nobody can hand in" in result, result)
+        assertTrue("Hidden cases are shown with everything when nobody can submit" in result, result)
         val exercise = page(student, "/exercises/draw-dot?lang=en")
         assertTrue(promise in exercise, exercise)
     }
@@ -265,11 +265,11 @@ class OpenedCasesTest {
                 assertEquals("2026-03-28T10:00:00.000Z", view.text("deadline"))
                 assertEquals("wrong", view.text("verdict"))
                 val page = page(student, "/submissions/$id?lang=en")
-                assertEquals(expected == "true", "Handed in late, after 2026-03-28 10:00 UTC" in page, page)
+                assertEquals(expected == "true", "Submitted late, after 2026-03-28 10:00 UTC" in page, page)
             }
             val exercise = page(student, "/exercises/draw-dot?lang=en")
             assertTrue(
-                "The deadline was 2026-03-28 10:00 UTC. You can still hand in if you agree" in exercise,
+                "The deadline was 2026-03-28 10:00 UTC. You can still submit if you agree" in exercise,
                 exercise,
             )
             assertEquals(1, Regex("class=\"late\"").findAll(exercise).count(), exercise)
@@ -308,7 +308,7 @@ class OpenedCasesTest {
                 assertFalse("hidden cases" in page, page)
             }
             val before = page(student, "/exercises?lang=en")
-            assertTrue("hand in by 2026-03-28 11:00 UTC" in before, before)
+            assertTrue("submit by 2026-03-28 11:00 UTC" in before, before)
             now = due + Duration.ofMillis(1)
             val result = page(student, "/submissions/$id?lang=en")
             assertTrue("The deadline was 2026-03-28 11:00 UTC.<" in result, result)

@@ -62,7 +62,7 @@ class LatePenaltyTest {
             assertTrue("now loses 50 % of its points" in submit(ada).bodyAsText())
             val asked = page(ada, "/exercises/draw-dot")
             assertTrue(
-                "I hand in late. The attempt counts, is marked as late and loses 50% of its points." in asked,
+                "I submit late. The attempt counts, is marked as late and loses 50% of its points." in asked,
                 asked,
             )
             val id = handIn(ada)

@@ -126,11 +126,11 @@ class RuleRoutesTest {
             assertTrue("One late day follows, until 2027-03-02 12:00 UTC" in page(ada, "/exercises/draw-dot"))
             now += Duration.ofHours(24)
             submit(ada).assertProblem(409, "late-day")
-            assertTrue("I hand in late and spend late day 1 of 1." in page(ada, "/exercises/draw-dot"))
+            assertTrue("I submit late and spend late day 1 of 1." in page(ada, "/exercises/draw-dot"))
             assertEquals(202, submit(ada, late = true).status.value)
             now += Duration.ofMillis(1)
             submit(ada).assertProblem(409, "late-practice")
-            assertTrue("I hand in for practice" in page(ada, "/exercises/draw-dot"))
+            assertTrue("I submit for practice" in page(ada, "/exercises/draw-dot"))
             assertEquals(202, submit(ada, late = true).status.value)
         }
 

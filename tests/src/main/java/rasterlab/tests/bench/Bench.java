@@ -89,7 +89,7 @@ public final class Bench implements Callable<Integer> {
             names = "--lang",
             paramLabel = "LANGUAGE",
             description =
-                    "language of the texts, en or ru (default: en); works have the same names in both")
+                    "language of the texts, en or ru; default: en; works have the same names in both")
     private ReportLanguage language = ReportLanguage.EN;
 
     private final Console console;

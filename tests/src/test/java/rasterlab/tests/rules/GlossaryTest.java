@@ -8,8 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -17,6 +20,9 @@ import rasterlab.tests.Repository;
 
 /** Holds what people read to one name for one thing, the one of the glossary. */
 class GlossaryTest {
+    /** The English help of all commands with its places, once it was read. */
+    private static final Map<String, List<String>> HELP = new LinkedHashMap<>();
+
     static Stream<Glossary.Banned> banned() {
         return Glossary.read().banned().stream();
     }
@@ -37,10 +43,37 @@ class GlossaryTest {
                 if (banned.phrase().in(value(lines.get(i))))
                     found.add(Repository.root().relativize(file) + ":" + (i + 1));
         }
+        if (!banned.language().equals("ru")) found.addAll(helpWith(banned.phrase()));
         assertEquals(
                 List.of(),
                 found,
                 "in place of " + banned.phrase().caught() + " write there " + banned.right());
+    }
+
+    /** The places in the English help of commands where that phrase stands. */
+    private static List<String> helpWith(Glossary.Phrase phrase) throws IOException {
+        if (HELP.isEmpty())
+            for (Path file : HelpTexts.files())
+                for (HelpTexts.HelpText text : HelpTexts.in(Files.readString(file)))
+                    HELP.computeIfAbsent("=" + text.words(), words -> new ArrayList<>())
+                            .add(Repository.root().relativize(file) + ":" + text.line());
+        return HELP.entrySet().stream()
+                .filter(one -> phrase.in(one.getKey()))
+                .flatMap(one -> one.getValue().stream())
+                .toList();
+    }
+
+    @Test
+    @DisplayName("help of a command that is written over several lines is not read")
+    void readsTheHelpOfCommands() throws IOException {
+        assertEquals(
+                List.of(new HelpTexts.HelpText(2, "--a"), new HelpTexts.HelpText(2, "one (1) two")),
+                HelpTexts.in(
+                        "x\n@Option(names = \"--a\", description = \"one (1)\"\n + \" two\") String a"));
+        for (String name : List.of("BenchCommand.java", "LookOptions.java", "ServeCommand.kt"))
+            assertTrue(
+                    HelpTexts.files().stream().anyMatch(file -> file.endsWith(name)),
+                    () -> "no help is read of " + name);
     }
 
     @Test

@@ -1,5 +1,6 @@
 package rasterlab.app.canvas.method;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -98,8 +99,9 @@ public final class AboutText extends JEditorPane {
             parts.put("source", labels.text("about.mine"));
             return parts;
         }
-        parts.put("formula", texts.text(key + ".formula"));
-        parts.put("decision", decision);
+        String formula = texts.text(key + ".formula");
+        parts.put("formula", formula);
+        parts.put("decision", besides(formula, decision));
         parts.put(LETTERS, "");
         for (String part : List.of("invariant", "cost", "failures", "source"))
             parts.put(part, texts.text(key + "." + part));
@@ -108,12 +110,15 @@ public final class AboutText extends JEditorPane {
                     LETTERS,
                     LetterLegend.of(
                             texts.text(LETTERS),
-                            parts.get("formula")
-                                    + "; "
-                                    + decision
-                                    + "; "
-                                    + parts.get("invariant")));
+                            formula + "; " + decision + "; " + parts.get("invariant")));
         return parts;
+    }
+
+    /** What is said of the decision variable that the formula does not say. */
+    private static String besides(String formula, String decision) {
+        return Arrays.stream(decision.split("; "))
+                .filter(said -> !formula.contains(said))
+                .collect(Collectors.joining("; "));
     }
 
     /** Shows a text unless it is shown already, so that a selection in it stays. */

@@ -38,7 +38,7 @@ import rasterlab.exercises.score.Report;
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:all public cases pass",
-            "1:a case fails, or what was handed in was not accepted",
+            "1:a case fails, or what was submitted was not accepted",
             "2:no such exercise, or the file cannot be read, or pictures cannot be written",
         },
         footer = {"", "Example: ./lab check line-bresenham Bresenham.java"})

@@ -39,7 +39,7 @@ import rasterlab.exercises.score.GradingVerdict;
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:every case is right",
-            "1:a case fails, or what was handed in was not accepted by the judge",
+            "1:a case fails, or what was submitted was not accepted by the judge",
             "2:the file or the token cannot be read, or the server refuses them",
             "4:no server answers, or it accepts no more at the moment, or the connection was lost",
         },
@@ -72,7 +72,7 @@ public final class SubmitCommand implements Callable<Integer> {
     @Option(
             names = "--late",
             description =
-                    "hands in after the deadline too: it is graded like any other attempt and marked"
+                    "submits after the deadline too: it is graded like any other attempt and marked"
                             + " as late, and loses the points that the course takes for that")
     private boolean late;
 

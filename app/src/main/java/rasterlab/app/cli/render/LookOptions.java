@@ -83,8 +83,8 @@ final class LookOptions {
             names = "--crease",
             paramLabel = "DEGREES",
             description =
-                    "with --shading wire: leaves out edges at which faces meet at less than this"
-                            + " angle, but no outlines; default: 0")
+                    "with --shading wire: does not draw edges whose faces meet at a smaller angle"
+                            + " than this; silhouettes stay; default: 0")
     private Double crease;
 
     @Option(

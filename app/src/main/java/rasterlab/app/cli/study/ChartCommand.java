@@ -23,7 +23,7 @@ import rasterlab.engine.naming.Named;
         description = {
             "Draws a chart and prints its table.",
             "perspective: the amount of perspective, gamma = 1 + 2*dz'/z', over z'/dz': how many",
-            "  times larger the nearer of two equal depths appears, and where that runs away.",
+            "  times larger the nearer of two equal depths appears, and where that grows without bound.",
             "depth-precision: the smallest distance that depth buffers tell apart half way to the",
             "  far plane, as a share of the depth, over far/near: measured, and by formula.",
             "mach-bands: brightness across a faceted sphere by flat, Gouraud's and Phong's shading.",

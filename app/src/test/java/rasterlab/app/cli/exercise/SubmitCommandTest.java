@@ -89,7 +89,7 @@ class SubmitCommandTest {
         try (var server = server("write", "wrong")) {
             Ran ran = submit(server.address());
             assertEquals(1, ran.exitCode(), ran.err());
-            assertTrue(ran.err().contains("handed in as submission s1"), ran.err());
+            assertTrue(ran.err().contains("submitted as submission s1"), ran.err());
             assertTrue(ran.err().contains("place 2 in the queue"), ran.err());
             assertTrue(ran.err().contains("tried: ties"), ran.err());
             assertTrue(ran.out().startsWith("Exercise: A line\nVerdict: wrong\n"), ran.out());
@@ -109,7 +109,7 @@ class SubmitCommandTest {
         try (var server = server("write", "wrong").on(RESULT, 200, late)) {
             Ran ran = submit(server.address(), "--late");
             assertTrue(
-                    ran.out().contains("\nHanded in after the deadline: marked as late"),
+                    ran.out().contains("\nSubmitted after the deadline: marked as late"),
                     ran.out());
             assertTrue(
                     ran.out().contains("\nWhy this case is there: ties – it asks for ties\n"),

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LegendTest {
     private static final Legend LEGEND =
             new Legend(
-                    Stream.of("flat", "Gouraud", "Phong", "dashed: the eye")
+                    Stream.of("flat", "Gouraud", "Phong", "dashed: perceived brightness")
                             .map(name -> new Legend.Entry(name, Color.BLACK, false))
                             .toList());
 

@@ -34,7 +34,7 @@ public record BenchWords(Language language) {
 
     /** The command with its help in this language. */
     public CommandLine worn(CommandLine command) {
-        return language == Language.ENGLISH ? command : command.setResourceBundle(bundle());
+        return command.setResourceBundle(bundle());
     }
 
     private ResourceBundle bundle() {
