@@ -1,4 +1,4 @@
-package rasterlab.grader.postgres
+package rasterlab.grader.worker
 
 import java.nio.file.Files
 import java.nio.file.Path

@@ -1,4 +1,4 @@
-package rasterlab.grader.postgres
+package rasterlab.grader.worker
 
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
+import rasterlab.grader.postgres.OnPostgres
 import java.nio.file.Path
 
 /** Worker processes on one database. */

@@ -1,14 +1,14 @@
-package rasterlab.grader.postgres
+package rasterlab.grader.worker
 
 import org.junit.jupiter.api.Assertions.assertEquals
 import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.course.Identity
+import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.PostgresAddress
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.SteadyClock
-import rasterlab.grader.worker.Workers
 import java.nio.file.Path
 import java.time.InstantSource
 import java.util.concurrent.TimeUnit.MINUTES
@@ -39,6 +39,11 @@ class SharedCourse(
             assertEquals(name, it.line("grading as "))
         }
     }
+
+    fun server(name: String): GraderProcess =
+        start("serve", "--db", address, "--data", "${folder.resolve("of-$name")}", "--name", name, "--port", "0").also {
+            it.line("listening on ")
+        }
 
     fun start(vararg arguments: String): GraderProcess = GraderProcess.start(*arguments).also { processes += it }
 
@@ -77,7 +82,9 @@ class SharedCourse(
     /** Each submission has one result, and they are equal but for what was measured. */
     fun requireEachOnce() {
         assertEquals(listOf("1"), rows(RESULTS_OF_EACH))
-        assertEquals(1, rows("SELECT DISTINCT verdict || ' ' || accuracy || ' ' || stability FROM results").size)
+        val results =
+            rows("SELECT DISTINCT verdict || ' ' || accuracy || ' ' || stability || ' ' || isolation FROM results")
+        assertEquals(1, results.size, "$results")
     }
 
     override fun close() {
