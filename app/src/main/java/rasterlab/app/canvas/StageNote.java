@@ -29,7 +29,7 @@ public final class StageNote {
      */
     private static final float[] SIZES = {1, 0.85f, 0.75f};
 
-    /** Any thread may measure by this, whatever it draws on. */
+    /** Measures texts on every thread, whatever it draws on. */
     private static final FontRenderContext MEASURE = new FontRenderContext(null, true, false);
 
     private final Rectangle inside;

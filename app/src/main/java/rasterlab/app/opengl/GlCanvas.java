@@ -55,7 +55,7 @@ class GlCanvas extends AWTGLCanvas {
     }
 
     /**
-     * Any version that still has everything since 1.0, which is what is made when none is named.
+     * The wish for a version that still has everything since 1.0, which is made when none is named.
      */
     private static GLData wanted() {
         var data = new GLData();

@@ -222,7 +222,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         change(state.choice().withFile(image), Setting.IMAGE);
     }
 
-    /** Does the same with an image of an earlier run; there is nothing to undo afterwards. */
+    /** Makes an image of an earlier run the texture; there is nothing to undo afterwards. */
     void restore(GlChoice.ImageTexture image, boolean shown) {
         history.forget();
         draw(state.choice().withFile(image, shown), state.touched());

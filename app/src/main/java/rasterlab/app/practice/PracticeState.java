@@ -142,8 +142,8 @@ record PracticeState(
     }
 
     /**
-     * Another question of a sheet that is handed in, as far as its first one without an answer: a
-     * later one would tell what is right there.
+     * The state at another question of a sheet that is handed in, as far as its first one without
+     * an answer: a later one would tell what is right there.
      */
     PracticeState at(int other) {
         PracticeSheet sheet = asked.orElseThrow();

@@ -225,7 +225,7 @@ class SketchesTest {
                 });
     }
 
-    /** Another number or word in each field. */
+    /** The sketch with a wrong number or word in each field. */
     private static ObjectNode wrong(ObjectNode right) {
         ObjectNode wrong = right.deepCopy();
         right.properties()

@@ -52,7 +52,7 @@ public final class BorderNumbers {
         };
     }
 
-    /** Any mantissa with any exponent. */
+    /** A random number of any sign, mantissa and exponent. */
     public static double anywhere(Random random) {
         int exponent = random.nextInt(Double.MIN_EXPONENT - 52, Double.MAX_EXPONENT + 1);
         double number = Math.scalb(random.nextDouble(1, 2), exponent);

@@ -59,7 +59,7 @@ public interface Shape<T> {
         return new TextShape(what, least, most);
     }
 
-    /** Any text. */
+    /** A text of any length. */
     static Shape<String> text() {
         return new TextShape("a text", 0, Integer.MAX_VALUE);
     }

@@ -65,7 +65,7 @@ public record TextureEnvironment(Mode mode, int components, int argb) {
     }
 
     /**
-     * Does the same for many pixels, in place.
+     * Combines many pixels, in place.
      *
      * @param count how many of them
      */

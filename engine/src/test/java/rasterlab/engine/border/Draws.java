@@ -42,7 +42,7 @@ final class Draws {
         return List.copyOf(drawn);
     }
 
-    /** Any finite number. */
+    /** A finite number, each of them possible. */
     double number() {
         return number(-Double.MAX_VALUE, Double.MAX_VALUE);
     }

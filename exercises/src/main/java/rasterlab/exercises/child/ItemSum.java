@@ -14,7 +14,8 @@ public final class ItemSum implements Pixels {
     private static final long FOR_X = 0x9E3779B97F4A7C15L;
 
     /**
-     * Another odd number without a pattern. Source: the second 64-bit prime of xxHash, Y. Collet.
+     * The second odd number without a pattern. Source: the second 64-bit prime of xxHash, Y.
+     * Collet.
      */
     private static final long FOR_Y = 0xC2B2AE3D27D4EB4FL;
 

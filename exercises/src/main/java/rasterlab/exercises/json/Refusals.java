@@ -8,13 +8,13 @@ import rasterlab.engine.format.InvalidInput;
 
 /** Says what is wrong with the value that a reader stands on, in the way of one kind of text. */
 interface Refusals {
-    /** Another value than the one that is allowed. */
+    /** The refusal of a value of another kind than the one that is allowed. */
     RuntimeException other(Expected allowed) throws IOException;
 
-    /** A value of the right kind that cannot be used. */
+    /** The refusal of a value of the right kind that cannot be used. */
     InvalidInput invalid(String reason);
 
-    /** The array whose next value the reader stands on. */
+    /** The refusal of the array whose next value the reader stands on. */
     InvalidInput invalidArray(String reason);
 
     /** The field that the reader stands on, which is none of these. */

@@ -27,7 +27,7 @@ final class AnswerDifference {
                 : Leaves.difference(topic, input, exact, actual);
     }
 
-    /** Any polyline along the curve within the tolerance is right, whatever its points. */
+    /** Whether every polyline along the curve within a tolerance is right, whatever its points. */
     private static boolean isFlattening(Object input) {
         return input instanceof CurveTask task && task.flatness() > 0;
     }

@@ -12,7 +12,7 @@ import rasterlab.tests.Repository;
  * <p>It begins with a noun or a verb: "Scrolls to the result.", "The radius, in pixels.", "Whether
  * the point lies inside." Words that lean on something unsaid make a fragment of it: "Of the plane
  * 2, of space 3.", "Empty where there is none.", "They touch.", "Pixels.", "What was done last.",
- * "The same with another look."
+ * "The same with another look.", "Another look."
  *
  * @param place file and line of the comment
  */
@@ -27,7 +27,8 @@ record DocOpening(String place, String sentence) {
                     + " Then Therefore Thus Hence However Yet Still Again Often Once Just"
                     + " Even Too Rather Instead Together Backwards Forwards Upwards Downwards"
                     + " Midway Strictly Infinitely Evenly Exactly Towards Except Whereas It Its"
-                    + " They Their Them Those Such He She What Whatever Whoever";
+                    + " They Their Them Those Such He She What Whatever Whoever Likewise Any"
+                    + " Another";
 
     /** Words without a noun of their own, where one of {@link #AFTER} or a stop follows. */
     private static final String BARE =
@@ -46,7 +47,7 @@ record DocOpening(String place, String sentence) {
     private static final String FINE = "Called\\b|Red\\b|Need|Speed\\b|Right:|Wrong:";
 
     /** Leaves to the comment before it what the thing is. */
-    private static final String SAME = "The same";
+    private static final String SAME = "(?:The|Does the) same";
 
     private static final Pattern FRAGMENT =
             Pattern.compile(

@@ -48,7 +48,7 @@ final class Stay {
         return event;
     }
 
-    /** Another watch than at its beginning knows too little of it. */
+    /** The watch at its beginning; a later one knows too little of it. */
     Optional<Watch> watch() {
         return watch;
     }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.settings.LabTheme;
 
-/** Another language chosen in the window. */
+/** Chooses another language in the window. */
 class WindowLanguageTest extends WindowHarness {
     /** Events between which a tab is made, at least. */
     private static final int PARTS = 5;

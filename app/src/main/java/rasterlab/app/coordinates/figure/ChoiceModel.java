@@ -31,7 +31,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
         return choice;
     }
 
-    /** Another number than before when the stage should show everything again. */
+    /** A number that is new whenever the stage should show everything again. */
     public final int arrangement() {
         return arrangement;
     }
@@ -51,7 +51,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
         show(next);
     }
 
-    /** Does the same for a choice that looks so different that all of it should come into sight. */
+    /** Changes to a choice that looks so different that all of it should come into sight. */
     public final void rearrange(C next) {
         boolean same = next.equals(choice);
         if (!same) history.remember();

@@ -75,7 +75,7 @@ public abstract class LabCard extends LabPanel {
         arrange(chips, stage, inspector, steps);
     }
 
-    /** Does the same where the steps are counted, as the lab's texts say. */
+    /** Puts the parts of a lab together whose steps are counted, as its texts say. */
     protected final void play(
             JComponent chips, JComponent stage, Inspector inspector, Steps steps, Texts texts) {
         var counted =

@@ -79,7 +79,10 @@ public record ListChoice(
         return numbers.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
-    /** Another subject; what is tried ends with every change but that of how it is looked at. */
+    /**
+     * The choice of another subject; what is tried ends with every change but that of how it is
+     * looked at.
+     */
     ListChoice with(Subject other) {
         boolean same = other.wire().dimension() == dimension();
         List<ListItem> kept = same ? items : Example.of(other.wire().dimension()).items();

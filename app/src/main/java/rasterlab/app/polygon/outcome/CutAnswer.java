@@ -24,7 +24,7 @@ public record CutAnswer(List<CutTriangle> cuts, int of) implements PolygonAnswer
         NONE,
         CLOCKWISE,
         NO_AREA,
-        /** Another corner of the polygon lies in it. */
+        /** Holds another corner of the polygon. */
         HOLDS_A_CORNER
     }
 

@@ -24,7 +24,7 @@ final class LabelPlaces {
     /** The cost of two leaders that cross, as of {@link LabelSpot}. */
     private static final double CROSSED = 120;
 
-    /** Another label is sent away only for a gain of more. */
+    /** The least gain for which another label is sent away. */
     private static final double GAIN = 10;
 
     /** Charts are done after a few; of more, the places get hardly better. */

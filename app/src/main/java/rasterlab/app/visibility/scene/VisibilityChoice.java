@@ -101,7 +101,7 @@ public record VisibilityChoice(
         return with(SceneChoice.named(other));
     }
 
-    /** Another scene as it is first shown. */
+    /** The choice of another scene, as it is first shown. */
     VisibilityChoice with(SceneChoice other) {
         return with(other, other.scene().defaultCamera());
     }
@@ -127,7 +127,9 @@ public record VisibilityChoice(
         return shown.known() ? this : alike(shown.withoutFiles().orElse(first().shown));
     }
 
-    /** Another scene seen from the same side, as far away for its size and as large. */
+    /**
+     * The choice of another scene, seen from the same side, as far away for its size and as large.
+     */
     VisibilityChoice alike(SceneChoice other) {
         double first = shown.scene().defaultCamera().rho();
         double larger = other.scene().defaultCamera().rho() / first;

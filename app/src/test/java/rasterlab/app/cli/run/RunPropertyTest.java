@@ -231,7 +231,7 @@ class RunPropertyTest {
     }
 
     /**
-     * Another value in place of one there is.
+     * A change of one value to another.
      *
      * @param place which, counted through all values that hold no others, and beyond the last from
      *     the first again

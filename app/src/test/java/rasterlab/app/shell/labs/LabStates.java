@@ -54,7 +54,7 @@ public final class LabStates {
                     model -> model.rotation().chooseMethod("buneman-textbook"),
                     model -> model.show(CoordinatesMode.MEETING));
 
-    /** Another state of a tab, with texts of its own. */
+    /** A state of a tab other than its first one, with texts of its own. */
     public record Other(String tab, String name, Consumer<LabModels> change) {}
 
     public static List<Other> others() {

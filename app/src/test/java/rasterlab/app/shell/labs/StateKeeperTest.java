@@ -79,7 +79,7 @@ class StateKeeperTest {
         assertEquals(List.of(), problems);
     }
 
-    /** Another window writes one lab's choice. */
+    /** Writes one lab's choice, as another window does. */
     private void another(String lab, Object choice) {
         new LabsFile(labs(), problem -> {}).save(Map.of(lab, choice), Set.of(lab));
     }

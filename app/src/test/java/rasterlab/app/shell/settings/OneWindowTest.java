@@ -19,7 +19,7 @@ class OneWindowTest {
 
     @TempDir Path folder;
 
-    /** Another program: holds the settings until it is ended. */
+    /** Holds the settings, as a program of its own, until it is ended. */
     public static void main(String[] arguments) throws Exception {
         OneWindow.hold(Path.of(arguments[0]), problem -> System.out.println(problem));
         System.out.println(HELD);

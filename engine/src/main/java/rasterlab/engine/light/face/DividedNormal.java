@@ -37,7 +37,7 @@ final class DividedNormal {
         TriangleNormal.cross(divided, new int[] {0, 1, 2}, 0, normal);
     }
 
-    /** Any unit vector across another one. */
+    /** A unit vector across another one. */
     private static double[] across(double[] forward) {
         double[] across =
                 Math.abs(forward[2]) < 0.9

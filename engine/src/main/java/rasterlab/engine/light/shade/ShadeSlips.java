@@ -107,7 +107,7 @@ final class ShadeSlips {
     }
 
     /**
-     * Another highlight.
+     * The light with another highlight.
      *
      * @param way 1 for the mirrored direction, −1 for its opposite
      * @param weaker whether it is multiplied by n·l, as the diffuse term is

@@ -72,7 +72,7 @@ final class FilterMutants {
         int color(PreparedFilter.Lookup look, double s, double t, double wide, double high);
     }
 
-    /** Another look at footprints that have an area and are not turned. */
+    /** The right filter, but for footprints that have an area and are not turned. */
     private static PreparedFilter looking(Looking looking) {
         return (width, height, argb) -> {
             PreparedFilter.Lookup look = RIGHT.prepare(width, height, argb);

@@ -43,7 +43,7 @@ abstract class CheckedAxisRotation implements AxisRotation {
      */
     abstract void turn(double[] through, double[] k, double degrees, double[] points);
 
-    /** Does the same operation by operation, each of them counted. */
+    /** Turns the points operation by operation, each of them counted. */
     abstract void countTurn(
             CountingArithmetic on, double[] through, double[] k, double degrees, double[] points);
 }

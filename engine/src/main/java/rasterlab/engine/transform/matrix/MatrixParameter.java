@@ -69,7 +69,7 @@ public record MatrixParameter(
         }
     }
 
-    /** What it may be, in words. */
+    /** The values that it may have, in words. */
     String words() {
         return size == 1 ? range.text() : "an array of " + size + " numbers";
     }

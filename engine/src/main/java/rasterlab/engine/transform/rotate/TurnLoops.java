@@ -24,7 +24,7 @@ class TurnLoops {
         }
     }
 
-    /** Does the same in float. */
+    /** Turns the points in float. */
     void turnInFloat(Angle by, int times, double[] points) {
         float sin = (float) by.sin();
         float cos = (float) by.cos();

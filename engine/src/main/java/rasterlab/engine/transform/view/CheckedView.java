@@ -27,6 +27,6 @@ abstract class CheckedView implements EyeView {
 
     abstract void view(Angle theta, Angle phi, double rho, double[] points);
 
-    /** Does the same operation by operation, each of them counted. */
+    /** Transforms the points operation by operation, each of them counted. */
     abstract void count(CountingArithmetic on, Angle theta, Angle phi, double rho, double[] points);
 }

@@ -21,7 +21,7 @@ import rasterlab.engine.study.Deviation;
 class MatrixPropertyTest {
     private static final MatrixTopic TOPIC = new MatrixTopic();
 
-    /** Any matrix with any parameters that it allows. */
+    /** Matrices of every name, with parameters that they allow. */
     @Provide
     Arbitrary<MatrixCall> calls() {
         return Arbitraries.of(NamedMatrices.all()).flatMap(MatrixPropertyTest::callsOf);

@@ -140,7 +140,9 @@ public final class PlanBench {
         deciding.add(each / full);
     }
 
-    /** Any scene; those made in steps have 10² to 10⁶ faces, or to 10⁵ where memory is little. */
+    /**
+     * A random scene; those made in steps have 10² to 10⁶ faces, or to 10⁵ where memory is little.
+     */
     private Scene scene(Random random) {
         List<String> names = Scenes.names();
         String name = names.get(random.nextInt(names.size()));
