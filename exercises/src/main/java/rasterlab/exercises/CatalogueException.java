@@ -58,7 +58,7 @@ public final class CatalogueException extends IllegalArgumentException {
     }
 
     /** The message in any language; of several faults the first. */
-    public Phrase said() {
+    public Phrase phrase() {
         return said;
     }
 
@@ -81,7 +81,7 @@ public final class CatalogueException extends IllegalArgumentException {
 
     private static String joined(
             CatalogueException first, List<CatalogueException> more, String language) {
-        return Stream.concat(Stream.of(first.said), more.stream().map(CatalogueException::said))
+        return Stream.concat(Stream.of(first.said), more.stream().map(CatalogueException::phrase))
                 .map(one -> one.in(language))
                 .collect(joining("; "));
     }

@@ -13,7 +13,7 @@ import java.util.Optional;
  * @param shown the first steps of each walk that are shown and not asked for
  * @param least steps asked for in one walk; shorter walks are passed over
  * @param most steps asked for in one walk; the rest of a longer one is left out
- * @param told fields of a step that stand in its question
+ * @param givenFields fields of a step that stand in its question
  * @param asked fields of a step that are the answer
  * @param tolerance the largest error of a number in an answer that is right
  * @param unit of that error, as it is said behind the number, by language code; none where the
@@ -27,7 +27,7 @@ public record Predicting(
         int shown,
         int least,
         int most,
-        List<String> told,
+        List<String> givenFields,
         List<PredictedField> asked,
         double tolerance,
         Map<String, String> unit,
@@ -40,7 +40,7 @@ public record Predicting(
 
     public Predicting {
         question = Map.copyOf(question);
-        told = List.copyOf(told);
+        givenFields = List.copyOf(givenFields);
         unit = Map.copyOf(unit);
         asked = List.copyOf(asked);
     }

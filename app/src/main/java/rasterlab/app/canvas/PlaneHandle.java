@@ -85,8 +85,8 @@ final class PlaneHandle extends SelfDrawn {
     /** Shows the same point elsewhere, or under another name. */
     void show(PlanePoint next) {
         point = next;
-        getAccessibleContext().setAccessibleName(next.said());
-        setToolTipText(next.said());
+        getAccessibleContext().setAccessibleName(next.accessibleName());
+        setToolTipText(next.accessibleName());
         repaint();
     }
 

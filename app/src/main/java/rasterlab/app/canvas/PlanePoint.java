@@ -7,10 +7,10 @@ package rasterlab.app.canvas;
  * @param x world
  * @param y world
  * @param label painted beside it, "" for none
- * @param said its name and place for assistive technology, in the window's language
+ * @param accessibleName its name and place for assistive technology, in the window's language
  */
 public record PlanePoint(
-        String name, double x, double y, HandleShape form, String label, String said) {
+        String name, double x, double y, HandleShape form, String label, String accessibleName) {
     /** The shape of its handle, so that points of different kinds differ without colour. */
     public enum HandleShape {
         CIRCLE,

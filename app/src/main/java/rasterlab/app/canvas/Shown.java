@@ -50,7 +50,7 @@ public final class Shown {
      * @param largest of all that stand there, in magnitude
      * @param decimals at most so many
      */
-    public static String beside(double value, double largest, int decimals, Locale locale) {
+    public static String coordinate(double value, double largest, int decimals, Locale locale) {
         double rest = Double.isFinite(largest) ? ROUNDING * Math.abs(largest) : 0;
         boolean rounding = Math.abs(value) <= Math.min(rest, SMALL);
         return number(rounding ? 0 : value, decimals, locale);
@@ -70,9 +70,9 @@ public final class Shown {
     public static String point(double x, double y, Locale locale) {
         double largest = Math.max(Math.abs(x), Math.abs(y));
         return "("
-                + beside(x, largest, 4, locale)
+                + coordinate(x, largest, 4, locale)
                 + apart(locale)
-                + beside(y, largest, 4, locale)
+                + coordinate(y, largest, 4, locale)
                 + ")";
     }
 

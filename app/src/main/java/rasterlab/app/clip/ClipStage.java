@@ -176,7 +176,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
 
     private PlanePoint point(ClipScene scene, ClipGrip grip, ClipPoint at) {
         String kind = "grip." + grip.kind().name().toLowerCase(Locale.ROOT);
-        String said = texts.text(kind, grip.label()) + " " + said(scene, grip, at);
+        String said = texts.text(kind, grip.label()) + " " + accessibleText(scene, grip, at);
         return new PlanePoint(
                 grip.componentName(),
                 at.x(),
@@ -186,7 +186,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
                 texts.text("grip.keys", said));
     }
 
-    private String said(ClipScene scene, ClipGrip grip, ClipPoint at) {
+    private String accessibleText(ClipScene scene, ClipGrip grip, ClipPoint at) {
         if (!(scene instanceof VolumeScene volume))
             return Shown.point(at.x(), at.y(), texts.locale());
         SpacePoint p = volume.end(grip);

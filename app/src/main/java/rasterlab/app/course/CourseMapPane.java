@@ -89,7 +89,7 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         scroll.getVerticalScrollBar().setUnitIncrement(24);
         add(scroll);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), leave);
-        show(standings.told());
+        show(standings.knownStandings());
         noStandings = standings.listen(this::show);
     }
 

@@ -66,7 +66,7 @@ public final class Standings implements AutoCloseable {
         this.folder = Optional.of(folder);
     }
 
-    KnownStandings told() {
+    KnownStandings knownStandings() {
         return told;
     }
 

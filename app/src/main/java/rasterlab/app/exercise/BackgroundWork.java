@@ -1,7 +1,7 @@
 package rasterlab.app.exercise;
 
 import java.util.List;
-import rasterlab.app.exercise.outcome.TriedCase;
+import rasterlab.app.exercise.outcome.CaseResult;
 
 /**
  * A task that runs in the background.
@@ -12,7 +12,7 @@ import rasterlab.app.exercise.outcome.TriedCase;
  * @param cases those judged so far, without their verdicts: a mistake that all share is known only
  *     at the end, and is then paid for in the cases that ask for it alone
  */
-public record BackgroundWork(Phase phase, int done, int of, List<TriedCase> cases) {
+public record BackgroundWork(Phase phase, int done, int of, List<CaseResult> cases) {
     public enum Phase {
         NONE,
         CHECKING,
@@ -24,7 +24,7 @@ public record BackgroundWork(Phase phase, int done, int of, List<TriedCase> case
     }
 
     public BackgroundWork {
-        cases = TriedCase.toldApart(cases.stream().map(TriedCase::withoutVerdict).toList());
+        cases = CaseResult.numbered(cases.stream().map(CaseResult::withoutVerdict).toList());
     }
 
     public static final BackgroundWork NONE = of(Phase.NONE);

@@ -3,8 +3,8 @@ package rasterlab.app.exercise;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.published.PublishedSpeed;
@@ -22,17 +22,17 @@ final class Checking implements AutoCloseable {
      * @param judged told the cases judged so far, on the calling thread
      * @throws InterruptedException when the thread is interrupted; the processes are ended first
      */
-    Outcome outcome(Exercise exercise, String source, Consumer<List<TriedCase>> judged)
+    Outcome outcome(Exercise exercise, String source, Consumer<List<CaseResult>> judged)
             throws InterruptedException {
         if (judge == null) judge = started();
-        List<TriedCase> cases = new ArrayList<>();
+        List<CaseResult> cases = new ArrayList<>();
         var report =
                 judge.grade(
                         exercise,
                         source,
                         CaseSelection.open(),
                         done -> {
-                            cases.add(TriedCase.of(exercise, done));
+                            cases.add(CaseResult.of(exercise, done));
                             judged.accept(List.copyOf(cases));
                         });
         return Outcome.checked(exercise, source, report)

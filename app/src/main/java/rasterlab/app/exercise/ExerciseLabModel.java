@@ -19,10 +19,10 @@ import rasterlab.app.canvas.file.ShellPath;
 import rasterlab.app.canvas.work.Background;
 import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.course.Standings;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.outcome.Outcomes;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.server.CourseServer;
 import rasterlab.engine.naming.Named;
@@ -153,8 +153,8 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     /** The open cases of the chosen exercise, none of them tried. */
-    public List<TriedCase> untried() {
-        return TriedCase.untried(state().exercise());
+    public List<CaseResult> untried() {
+        return CaseResult.untried(state().exercise());
     }
 
     /** Tells the listener each new state from now on; the answer ends that. */
@@ -326,7 +326,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                 failure -> tell(ServerNotices.of(account.server(), failure)));
     }
 
-    private void judged(List<TriedCase> cases, int of) {
+    private void judged(List<CaseResult> cases, int of) {
         show(new BackgroundWork(CHECKING, cases.size(), of, cases));
     }
 

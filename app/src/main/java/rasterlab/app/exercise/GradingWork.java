@@ -5,17 +5,17 @@ import static rasterlab.app.exercise.BackgroundWork.Phase.WAITING;
 
 import java.util.List;
 import java.util.function.Consumer;
-import rasterlab.app.exercise.outcome.TriedCase;
+import rasterlab.app.exercise.outcome.CaseResult;
 
 /** Tells how a submission gets on as work that runs. */
-record GradingWork(Consumer<BackgroundWork> told) implements Submitting.SubmissionListener {
+record GradingWork(Consumer<BackgroundWork> listener) implements Submitting.SubmissionListener {
     @Override
     public void waits(int position) {
-        told.accept(new BackgroundWork(WAITING, position, 0, List.of()));
+        listener.accept(new BackgroundWork(WAITING, position, 0, List.of()));
     }
 
     @Override
-    public void judged(List<TriedCase> cases) {
-        told.accept(new BackgroundWork(GRADING, cases.size(), 0, cases));
+    public void judged(List<CaseResult> cases) {
+        listener.accept(new BackgroundWork(GRADING, cases.size(), 0, cases));
     }
 }

@@ -18,7 +18,7 @@ final class ServerNotices {
     /** The notice of a source that could not be handed in. */
     static Notice of(URI server, IOException failure) {
         if (failure instanceof UnreadableSheet sheet) return sheet.notice();
-        return told("server", server, failure);
+        return failureNotice("server", server, failure);
     }
 
     /** The notice of a hint that was not given. */
@@ -32,7 +32,7 @@ final class ServerNotices {
                 default:
                     return refused(server.toString(), refusal);
             }
-        return told("hints", server, failure);
+        return failureNotice("hints", server, failure);
     }
 
     /** The answer to joining a course: what of the form is to be typed anew, and why. */
@@ -46,13 +46,13 @@ final class ServerNotices {
             if (refusal.code().equals("bad-name"))
                 return JoinAnswer.refused(JoinField.NAME, Notice.of("join.name", address));
         }
-        return JoinAnswer.refused(JoinField.ADDRESS, told("join", server, failure));
+        return JoinAnswer.refused(JoinField.ADDRESS, failureNotice("join", server, failure));
     }
 
     /**
      * @param talk begins the keys of what is said of a talk that was not finished
      */
-    private static Notice told(String talk, URI server, IOException failure) {
+    private static Notice failureNotice(String talk, URI server, IOException failure) {
         String address = server.toString();
         if (failure instanceof ServerRefusal refusal) return refused(address, refusal);
         return switch (Breakdown.of(failure)) {

@@ -6,10 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
-import rasterlab.app.exercise.outcome.TriedPicture;
+import rasterlab.app.exercise.outcome.ResultPicture;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.server.Account;
@@ -39,7 +39,7 @@ final class Submitting {
         /**
          * @param cases those judged so far
          */
-        void judged(List<TriedCase> cases);
+        void judged(List<CaseResult> cases);
     }
 
     private final CourseServer server;
@@ -87,7 +87,7 @@ final class Submitting {
     }
 
     private static Following.Follower inCases(SubmissionListener follower) {
-        List<TriedCase> judged = new ArrayList<>();
+        List<CaseResult> judged = new ArrayList<>();
         return new Following.Follower() {
             @Override
             public void begins() {
@@ -111,7 +111,7 @@ final class Submitting {
         JsonNode submission = server.submission(token, id, "en");
         PublishedReport english = ServerReport.read(submission);
         PublishedReport russian = ServerReport.read(server.submission(token, id, "ru"));
-        List<TriedCase> cases = new ArrayList<>();
+        List<CaseResult> cases = new ArrayList<>();
         for (PublishedCase one : english.cases()) {
             // Cases are matched by place, not by name: several may be called hidden.
             Optional<PublishedCase> other = at(russian.cases(), cases.size());
@@ -152,7 +152,7 @@ final class Submitting {
     }
 
     private static String rule(Language language, Optional<PublishedCase> one) {
-        return TriedCase.rule(
+        return CaseResult.rule(
                 language,
                 one.flatMap(PublishedCase::tolerance).orElse(""),
                 one.flatMap(PublishedCase::rule).orElse(""));
@@ -175,11 +175,11 @@ final class Submitting {
         }
     }
 
-    private static TriedCase tried(
-            PublishedCase one, LocalizedText said, List<TriedPicture> pictures) {
-        return new TriedCase(
+    private static CaseResult tried(
+            PublishedCase one, LocalizedText said, List<ResultPicture> pictures) {
+        return new CaseResult(
                 one.name(),
-                one.verdict().told(one.points(), one.of()),
+                one.verdict().codeFor(one.points(), one.of()),
                 one.points(),
                 one.of(),
                 said,
@@ -187,16 +187,16 @@ final class Submitting {
                 one.scene());
     }
 
-    private List<TriedPicture> pictures(PublishedCase english, Optional<PublishedCase> russian)
+    private List<ResultPicture> pictures(PublishedCase english, Optional<PublishedCase> russian)
             throws IOException, InterruptedException {
         List<PublishedPicture> others = russian.map(PublishedCase::pictures).orElse(List.of());
-        var pictures = new ArrayList<TriedPicture>();
+        var pictures = new ArrayList<ResultPicture>();
         for (PublishedPicture one : english.pictures()) {
             if (!CasePicture.isKind(one.kind()))
                 throw new IOException("the server's kind of a picture is '" + one.kind() + "'");
             Optional<PublishedPicture> other = at(others, pictures.size());
             pictures.add(
-                    new TriedPicture(
+                    new ResultPicture(
                             one.kind(),
                             file(one.url(), other.map(PublishedPicture::url).orElse(one.url())),
                             new LocalizedText(

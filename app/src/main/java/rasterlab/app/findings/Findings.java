@@ -136,7 +136,7 @@ public final class Findings {
                     : new TopicFinding(false, true, first + " " + texts.text("cut"));
         } catch (RuntimeException | LinkageError e) {
             String reason = e.getMessage() == null ? e.toString() : e.getMessage();
-            return TopicFinding.none(texts.text("failed", Complaints.said(language, reason)));
+            return TopicFinding.none(texts.text("failed", Complaints.translated(language, reason)));
         }
     }
 

@@ -102,7 +102,7 @@ public final class HazardPage<C, I, O> {
             else below.append(section(hazard, method, tried, cell.asRecorded()));
         }
         cells.append("<h2 id=\"%s\">%s</h2>\n".formatted(hazard.name(), text(title)));
-        cells.append("<p>%s</p>\n".formatted(text(said(hazard))));
+        cells.append("<p>%s</p>\n".formatted(text(explanation(hazard))));
         if (!exact.isEmpty()) {
             cells.append(
                     "<p>%s</p>\n".formatted(text(texts.text("exact", String.join(", ", exact)))));
@@ -111,7 +111,7 @@ public final class HazardPage<C, I, O> {
         cells.append("<div class=\"cells\">\n").append(below).append("</div>\n");
     }
 
-    private String said(Hazard<I> hazard) {
+    private String explanation(Hazard<I> hazard) {
         return TopicTexts.of(topic.name(), texts.language()).hazard(hazard);
     }
 

@@ -7,8 +7,8 @@ public final class Complaints {
     private Complaints() {}
 
     /** The sentence in that language. */
-    public static String said(Language language, String english) {
-        return ComplaintTexts.said(language.locale(), english);
+    public static String translated(Language language, String english) {
+        return ComplaintTexts.translated(language.locale(), english);
     }
 
     /** The sentence on a terminal: numbers keep the point that one types there. */

@@ -23,11 +23,11 @@ import rasterlab.engine.scene.Scene;
 public final class LitPlans implements AutoCloseable {
     private final PlanDrawing drawing = new PlanDrawing();
     private final Bills<PlannedPicture, PlanBill> bills;
-    private Optional<Asked> last = Optional.empty();
+    private Optional<LitPlanRequest> last = Optional.empty();
     private Optional<PlannedPicture> newest = Optional.empty();
     private boolean dragging;
 
-    private record Asked(LightChoice choice, Scene body, RenderRequest request) {
+    private record LitPlanRequest(LightChoice choice, Scene body, RenderRequest request) {
         /** Whether the same is lit alike, maybe seen from elsewhere. */
         private boolean isLike(LightChoice other, Scene lit, int width, int height) {
             LightChoice here = other.with(choice.camera()).with(choice.line());
@@ -87,7 +87,7 @@ public final class LitPlans implements AutoCloseable {
             RenderRequest request =
                     LitScene.request(
                             choice, body, ShadingMethod.PHONG, frame.width(), frame.height());
-            last = Optional.of(new Asked(choice, body, request));
+            last = Optional.of(new LitPlanRequest(choice, body, request));
         }
         return last.get().request().from(choice.camera());
     }

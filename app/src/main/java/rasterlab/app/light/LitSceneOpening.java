@@ -86,7 +86,7 @@ final class LitSceneOpening
         OpenedLitScene scene = read.opened().get();
         model.open(scene.choice());
         if (scene.whole()) model.keep(new LitSceneFile(read.file(), scene.choice()));
-        String told = scene.told(read.file());
+        String told = scene.notes(read.file());
         if (!told.isEmpty()) tell(told);
         return true;
     }
@@ -100,7 +100,7 @@ final class LitSceneOpening
     }
 
     @Override
-    public String told() {
+    public String remark() {
         return model.state().problem();
     }
 

@@ -92,7 +92,7 @@ public record OpenedLitScene(LightChoice choice, List<String> notes, boolean who
         if (isModel(file)) {
             ModelNotes model = ModelNotes.read(file);
             LightChoice shown = before.with(LitBody.model(file, model.scene(), UpAxis.Y));
-            return new OpenedLitScene(shown, List.of(model.told()), false);
+            return new OpenedLitScene(shown, List.of(model.notes()), false);
         }
         SceneView view = view(file);
         Settings said = view.settings();
@@ -137,7 +137,7 @@ public record OpenedLitScene(LightChoice choice, List<String> notes, boolean who
     }
 
     /** The notes about the file that stand beside its picture; "" for none. */
-    String told(Path file) {
+    String notes(Path file) {
         String told = String.join("; ", notes);
         return told.isEmpty() || isModel(file) ? told : file + ": " + told;
     }

@@ -31,7 +31,7 @@ record OwnNormals(Scene scene, Scene right, OwnRemarks remarks) {
 
     /** Asks the program for its normals, once and on any thread. */
     static OwnNormals of(LitBody body, OwnMethods own) {
-        var asked = new Asked(own);
+        var asked = new ObservedNormals(own);
         VertexNormals truth = new NormalsTopic().method(truth(own)).implementation();
         Scene right = body.scene(truth);
         try {
@@ -53,13 +53,13 @@ record OwnNormals(Scene scene, Scene right, OwnRemarks remarks) {
     }
 
     /** The program, whose normals are made usable: of length 1, or none. */
-    private static final class Asked implements VertexNormals {
+    private static final class ObservedNormals implements VertexNormals {
         private final NormalsTopic topic = new NormalsTopic();
         private final VertexNormals program;
         private TriangleSurface surface;
         private Images found;
 
-        Asked(OwnMethods own) {
+        ObservedNormals(OwnMethods own) {
             program = own.in(topic).method(OwnMethods.NAME).implementation();
         }
 

@@ -23,7 +23,7 @@ public record LineDrawings(
         LineChoice choice,
         PixelRecording exact,
         LineDrawing drawing,
-        Optional<TriedSegment> tried,
+        Optional<TrialSegment> tried,
         Optional<LineDrawing> other,
         Optional<PixelDifference> apart) {
 
@@ -43,7 +43,7 @@ public record LineDrawings(
     LineDrawings next(
             Topic<LineRasterizer, Segment, PixelRecording> topic,
             LineChoice next,
-            Optional<TriedSegment> tried,
+            Optional<TrialSegment> tried,
             BooleanSupplier cancelled) {
         requireUse(cancelled);
         return of(
@@ -59,7 +59,7 @@ public record LineDrawings(
     private static LineDrawings of(
             Topic<LineRasterizer, Segment, PixelRecording> topic,
             LineChoice choice,
-            Optional<TriedSegment> tried,
+            Optional<TrialSegment> tried,
             PixelRecording exact,
             BooleanSupplier cancelled) {
         requireUse(cancelled);
@@ -80,17 +80,17 @@ public record LineDrawings(
     }
 
     private static Optional<LineDrawing> drawn(
-            TriedSegment program,
+            TrialSegment program,
             Topic<LineRasterizer, Segment, PixelRecording> topic,
             PixelRecording exact) {
         PixelRecording known = program.comparable(exact);
         return program.method()
-                .map(by -> LineDrawing.of(topic, TriedSegment.NAME, by, program.segment(), known));
+                .map(by -> LineDrawing.of(topic, TrialSegment.NAME, by, program.segment(), known));
     }
 
     private static Optional<PixelDifference> apart(
-            LineDrawing drawing, LineDrawing other, Optional<TriedSegment> tried) {
-        Optional<TriedSegment> cut = tried.filter(program -> program.first().isPresent());
+            LineDrawing drawing, LineDrawing other, Optional<TrialSegment> tried) {
+        Optional<TrialSegment> cut = tried.filter(program -> program.first().isPresent());
         if (cut.isEmpty()) return drawing.differenceFrom(other);
         PixelRecording known = cut.get().comparable(drawing.trace().pixels());
         return Optional.of(PixelDifference.of(other.trace().pixels(), known));

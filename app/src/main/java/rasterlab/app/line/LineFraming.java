@@ -31,7 +31,7 @@ final class LineFraming {
                 state.drawings()
                         .tried()
                         .filter(program -> program.fits(state.choice()))
-                        .flatMap(TriedSegment::drawn);
+                        .flatMap(TrialSegment::drawn);
         return whole(segment, plotted);
     }
 

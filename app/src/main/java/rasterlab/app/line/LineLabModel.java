@@ -41,7 +41,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     /** The mode as it was chosen; among the figures undo may have gone on to another. */
     private LineMode mode = LineMode.SEGMENT;
 
-    private Optional<TriedSegment> tried = Optional.empty();
+    private Optional<TrialSegment> tried = Optional.empty();
     private LineLabState state;
 
     /** Arrangements so far; one that undo brought back is no new one. */
@@ -81,10 +81,10 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     /**
      * @param shown what is drawn already and may serve again
      */
-    private record Question(LineChoice choice, Optional<TriedSegment> tried, LineDrawings shown) {}
+    private record Question(LineChoice choice, Optional<TrialSegment> tried, LineDrawings shown) {}
 
     /** The state that undo restores; another arrangement shows the whole segment again. */
-    private record Remembered(LineChoice choice, Optional<TriedSegment> tried, int arrangement) {}
+    private record Remembered(LineChoice choice, Optional<TrialSegment> tried, int arrangement) {}
 
     public LineLabState state() {
         return state;
@@ -217,7 +217,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     public void showTried(Segment segment, String method, Optional<Plotted> drawn) {
         String right = method.isEmpty() ? state.choice().method() : topic.method(method).name();
         chooseMode(LineMode.SEGMENT);
-        var program = new TriedSegment(segment, right, drawn);
+        var program = new TrialSegment(segment, right, drawn);
         arrange(new LineChoice(segment, right, ""), Optional.of(program));
     }
 
@@ -308,7 +308,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     }
 
     /** Changes the segment so that the stage is to show the whole of it. */
-    private void arrange(LineChoice next, Optional<TriedSegment> program) {
+    private void arrange(LineChoice next, Optional<TrialSegment> program) {
         if (!next.equals(state.choice()) || !program.equals(tried)) history.remember();
         tried = program;
         draw(next, ++arrangements);

@@ -35,7 +35,7 @@ final class LineNotes {
     }
 
     /** Says whose pixels are seen, and how many of the program's are known where not all are. */
-    private static String whose(TriedSegment tried, String method, Texts texts) {
+    private static String whose(TrialSegment tried, String method, Texts texts) {
         if (tried.drawn().isEmpty()) return texts.text("note.tried.right", method);
         if (tried.drawn().get().pixels().size() == 0)
             return texts.text("note.tried.nothing", method);

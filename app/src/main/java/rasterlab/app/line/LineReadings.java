@@ -121,7 +121,7 @@ final class LineReadings {
         int missing = difference.missing().size();
         int extra = difference.extra().size();
         OptionalInt first =
-                state.drawings().tried().map(TriedSegment::first).orElse(OptionalInt.empty());
+                state.drawings().tried().map(TrialSegment::first).orElse(OptionalInt.empty());
         return first.isEmpty()
                 ? texts.text("other.wrong", missing, extra)
                 : texts.text("tried.wrong", missing, extra, first.getAsInt());

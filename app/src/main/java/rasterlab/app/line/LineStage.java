@@ -63,7 +63,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     private transient Rectangle framed;
 
     private transient Segment seen;
-    private transient Optional<TriedSegment> program = Optional.empty();
+    private transient Optional<TrialSegment> program = Optional.empty();
     private End keyed = End.A;
     private int arrangement;
 

@@ -30,11 +30,11 @@ record SavedTrial(Segment segment, String right, boolean wrong, List<Integer> pl
                     "places are x and y by turns, got " + places.size() + " numbers");
     }
 
-    static SavedTrial of(Optional<TriedSegment> tried) {
+    static SavedTrial of(Optional<TrialSegment> tried) {
         return tried.map(SavedTrial::of).orElse(NOTHING);
     }
 
-    private static SavedTrial of(TriedSegment tried) {
+    private static SavedTrial of(TrialSegment tried) {
         if (tried.drawn().isEmpty())
             return new SavedTrial(tried.segment(), tried.right(), false, List.of(), false);
         PixelRecording pixels = tried.drawn().get().pixels();
@@ -49,12 +49,12 @@ record SavedTrial(Segment segment, String right, boolean wrong, List<Integer> pl
     }
 
     /** The figure that it was made of, with the pixels that were kept. */
-    Optional<TriedSegment> tried() {
+    Optional<TrialSegment> tried() {
         if (right.isEmpty()) return Optional.empty();
         var pixels = new PixelRecording(Math.max(1, places.size() / 2));
         for (int i = 0; i < places.size(); i += 2) pixels.plot(places.get(i), places.get(i + 1));
         return Optional.of(
-                new TriedSegment(
+                new TrialSegment(
                         segment,
                         right,
                         Optional.of(new Plotted(pixels, cut)).filter(drawn -> wrong)));

@@ -11,7 +11,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.obj.UpAxis;
 
 /** A model that a lab opened, with what is told of it in one sentence. */
-public record ModelNotes(Scene scene, String told) {
+public record ModelNotes(Scene scene, String notes) {
     /** Notes that a stage has room for. */
     private static final int MOST = 3;
 

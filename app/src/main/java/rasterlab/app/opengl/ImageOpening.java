@@ -61,7 +61,7 @@ final class ImageOpening implements KeptFile.FileLab<KeptImage, GlChoice, ImageL
     }
 
     @Override
-    public String told() {
+    public String remark() {
         return model.state().problem().orElse("");
     }
 

@@ -144,7 +144,9 @@ final class OpenGlInspector {
         problem.setVisible(images && state.problem().isPresent());
         write(
                 problem,
-                state.problem().map(said -> Complaints.said(texts.language(), said)).orElse(""));
+                state.problem()
+                        .map(said -> Complaints.translated(texts.language(), said))
+                        .orElse(""));
         file.setText(state.choice().file().map(image -> shortened(image.name())).orElse("–"));
         write(call, calls(state));
         compare(state);

@@ -98,7 +98,7 @@ final class OpenGlStage extends JPanel implements Settling {
     private String missing() {
         return model.state()
                 .missing()
-                .map(reason -> Complaints.said(texts.language(), reason))
+                .map(reason -> Complaints.translated(texts.language(), reason))
                 .map(reason -> texts.text("missing", reason))
                 .orElse(texts.text("drawing"));
     }

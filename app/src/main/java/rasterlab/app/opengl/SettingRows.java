@@ -39,7 +39,7 @@ final class SettingRows {
                 new NameChooser(
                         setting.code(),
                         setting.options(),
-                        option -> said(setting, option),
+                        option -> optionText(setting, option),
                         option -> choose(setting, option));
         // A light pop-up would be hidden by OpenGL's window.
         chooser.setLightWeightPopupEnabled(false);
@@ -63,7 +63,7 @@ final class SettingRows {
     }
 
     /** OpenGL's names and numbers as they are, other words in the window's language. */
-    private String said(Setting setting, String option) {
+    private String optionText(Setting setting, String option) {
         if (setting == Setting.SIZE && ofFile()) return ownSize();
         if (setting == Setting.IMAGE && option.equals("file") && ofFile())
             return texts.text("option.image.file.named", fileName());

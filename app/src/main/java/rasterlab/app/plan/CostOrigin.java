@@ -18,7 +18,7 @@ public final class CostOrigin {
      *
      * @param origin in English; what is told in another way stays as it is
      */
-    public static String said(Texts texts, String origin) {
+    public static String translated(Texts texts, String origin) {
         Matcher parts = FITTED.matcher(origin);
         if (!parts.matches()) return origin;
         var numbers = new Object[7];

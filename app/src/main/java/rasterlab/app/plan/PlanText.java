@@ -51,7 +51,7 @@ record PlanText(PlanReport report, Texts texts) {
                         Integer.toString(path.plans()),
                         number(100 * path.perPicture() / trial.fullProcessor())));
         if (trial.steppedBack() > 0) out.println(texts.text("back", trial.steppedBack() + ""));
-        out.println(texts.text("costs", CostOrigin.said(texts, report.costs())));
+        out.println(texts.text("costs", CostOrigin.translated(texts, report.costs())));
         if (!report.proof().isEmpty()) out.println(proof());
     }
 

@@ -61,7 +61,7 @@ final class ClipSketches {
                         : walked.steps().get(walked.steps().size() - 1).path(POLYGON);
         var figures = new ArrayList<BoardFigure>();
         figures.add(new BoardPath(box, true, FigureLook.GIVEN));
-        String at = walked.told().path("at").asText();
+        String at = walked.given().path("at").asText();
         if (at.startsWith("side ")) {
             int side = Integer.parseInt(at.substring("side ".length()));
             figures.add(

@@ -61,7 +61,7 @@ final class DepthSketches {
         double middle = walked.input().path("size").path(0).doubleValue() / 2;
         for (int i = 0; i < walked.steps().size(); i++)
             figures.add(span(walked.steps().get(i), middle, top, walked.look(i)));
-        figures.add(span(walked.told(), middle, top, FigureLook.ASKED));
+        figures.add(span(walked.given(), middle, top, FigureLook.ASKED));
         return new Board(BoardSpace.DEPTH, figures, new NamedPick("span", targets));
     }
 

@@ -41,10 +41,10 @@ record Graded(List<JsonNode> answers) {
     }
 
     /** The answer to a question, judged; empty where it has none. */
-    Optional<Answered> judged(PracticeSheet sheet, int at) {
+    Optional<AnsweredQuestion> judged(PracticeSheet sheet, int at) {
         if (!has(sheet, at)) return Optional.empty();
         Question question = sheet.question(at);
         JsonNode answer = answers.get(at);
-        return Optional.of(new Answered(question, answer, question.isRight(answer)));
+        return Optional.of(new AnsweredQuestion(question, answer, question.isRight(answer)));
     }
 }

@@ -72,7 +72,7 @@ final class NumberSketches {
             knots.add(new Point2D.Double(x.get(i).doubleValue(), y.path(i).doubleValue()));
         var figures = new ArrayList<BoardFigure>();
         figures.add(new BoardPath(knots, false, FigureLook.DONE));
-        int asked = walked.told().path("index").asInt(-1);
+        int asked = walked.given().path("index").asInt(-1);
         for (int i = 0; i < knots.size(); i++)
             figures.add(
                     new BoardDot(
@@ -101,7 +101,7 @@ final class NumberSketches {
             }
         for (int i = 0; i < walked.steps().size(); i++)
             add(figures, walked.steps().get(i), walked.look(i));
-        add(figures, walked.told(), FigureLook.ASKED);
+        add(figures, walked.given(), FigureLook.ASKED);
         var place =
                 new Point2D.Double(
                         at.path(0).doubleValue() * columns, at.path(1).doubleValue() * rows);

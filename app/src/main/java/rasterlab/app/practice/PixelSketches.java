@@ -49,8 +49,8 @@ final class PixelSketches {
         figures.add(RowSketches.border(size.path(0).intValue(), size.path(1).intValue()));
         for (int i = 0; i < walked.steps().size(); i++)
             figures.add(cell(walked.steps().get(i), "x", "y", walked.look(i)));
-        if (walked.told().path("x").isNumber())
-            figures.add(cell(walked.told(), "x", "y", FigureLook.ASKED));
+        if (walked.given().path("x").isNumber())
+            figures.add(cell(walked.given(), "x", "y", FigureLook.ASKED));
         int number = 1;
         for (JsonNode triangle : walked.input().path("triangles")) {
             List<Point2D> corners = QuestionPoints.all(triangle);

@@ -69,7 +69,7 @@ final class PlaneSketches {
         figures.add(new BoardPath(corners, true, FigureLook.GIVEN));
         for (int i = 0; i < corners.size(); i++)
             figures.add(new BoardDot(corners.get(i), String.valueOf(i), FigureLook.GIVEN));
-        addSide(figures, corners, walked.told().path("edge"));
+        addSide(figures, corners, walked.given().path("edge"));
         var end = new Point2D.Double(Math.max(right, from.getX() + 1), from.getY());
         figures.add(new BoardPath(List.of(from, end), false, FigureLook.DONE));
         figures.add(new BoardDot(from, "", FigureLook.NEWEST));
@@ -95,7 +95,7 @@ final class PlaneSketches {
         List<Point2D> walkedCorners = List.of(corners.get(0), corners.get(2), corners.get(1));
         var figures = new ArrayList<BoardFigure>();
         figures.add(new BoardPath(corners, true, FigureLook.GIVEN));
-        addSide(figures, walkedCorners, walked.told().path("side"));
+        addSide(figures, walkedCorners, walked.given().path("side"));
         for (int i = 0; i < corners.size(); i++)
             figures.add(new BoardDot(corners.get(i), "abc".substring(i, i + 1), FigureLook.GIVEN));
         figures.add(new BoardDot(point, "", FigureLook.NEWEST));

@@ -129,7 +129,8 @@ public final class PracticeModel implements AutoCloseable {
         Question question = state.question();
         publish(
                 state.answered(
-                        new Answered(question, answer, question.isRight(answer, tolerance))));
+                        new AnsweredQuestion(
+                                question, answer, question.isRight(answer, tolerance))));
     }
 
     /** Goes on where the walk rests; behind the last question to fresh data. */

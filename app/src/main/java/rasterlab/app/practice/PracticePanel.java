@@ -207,10 +207,10 @@ final class PracticePanel extends JPanel implements Settling, HasHelp {
     }
 
     private void tellRefusal() {
-        model.refusal().map(this::said).ifPresent(verdict::tell);
+        model.refusal().map(this::refusalText).ifPresent(verdict::tell);
     }
 
-    private String said(InvalidEntry refusal) {
+    private String refusalText(InvalidEntry refusal) {
         String topic = model.state().topic().orElseThrow();
         return refusal.missing()
                 .map(field -> texts.text("missing", words(topic).label(field)))
@@ -273,8 +273,8 @@ final class PracticePanel extends JPanel implements Settling, HasHelp {
         title.setText(sheet.exercise().title().get(language));
         position.setText(texts.text("position", state.at() + 1, sheet.size()));
         question.show(now.rules().question(language));
-        told.show(texts.text("told", words(topic).told(now.told())));
-        told.setVisible(state.isAsking() && !now.told().isEmpty());
+        told.show(texts.text("told", words(topic).fieldsText(now.givenFields())));
+        told.setVisible(state.isAsking() && !now.givenFields().isEmpty());
         Optional<Sketch> sketch = Sketches.of(topic);
         Optional<Board> board = sketch.map(each -> each.of(walked(state)));
         boolean other = shown.filter(now::equals).isEmpty();
@@ -305,7 +305,7 @@ final class PracticePanel extends JPanel implements Settling, HasHelp {
         return new Walked(
                 WalkText.input(state.question().input()),
                 state.steps(),
-                state.told(),
+                state.givenFields(),
                 state.wrong());
     }
 

@@ -28,7 +28,7 @@ record PracticeState(
         Optional<PracticeSheet> asked,
         int at,
         boolean resting,
-        Optional<Answered> last,
+        Optional<AnsweredQuestion> last,
         int right,
         int given,
         Optional<Graded> graded) {
@@ -78,15 +78,15 @@ record PracticeState(
     }
 
     /** The part of the step that the question tells; null where the walk rests. */
-    JsonNode told() {
-        return resting ? JsonNodeFactory.instance.objectNode() : question().told();
+    JsonNode givenFields() {
+        return resting ? JsonNodeFactory.instance.objectNode() : question().givenFields();
     }
 
     /** The wrong answer that was given last, if it was about the newest step that is seen. */
     Optional<JsonNode> wrong() {
         return last.filter(one -> !one.right())
                 .filter(one -> one.question().before().size() == steps().size() - 1)
-                .map(Answered::answer);
+                .map(AnsweredQuestion::answer);
     }
 
     PracticeState drawing(String topic, long seed) {
@@ -116,7 +116,7 @@ record PracticeState(
     }
 
     /** Goes on in the same walk at once; otherwise what was answered stays until the next. */
-    PracticeState answered(Answered answer) {
+    PracticeState answered(AnsweredQuestion answer) {
         boolean goesOn = asked.orElseThrow().sameWalk(at, at + 1);
         return new PracticeState(
                 topic,
@@ -153,7 +153,7 @@ record PracticeState(
     }
 
     private static PracticeState seen(
-            PracticeSheet sheet, Graded answers, int at, Optional<Answered> told) {
+            PracticeSheet sheet, Graded answers, int at, Optional<AnsweredQuestion> told) {
         return new PracticeState(
                 Optional.of(sheet.exercise().topic()),
                 sheet.sheet().seed(),

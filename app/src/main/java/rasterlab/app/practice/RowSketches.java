@@ -58,7 +58,7 @@ final class RowSketches {
     static Board polygon(Walked walked) {
         var figures = new ArrayList<BoardFigure>();
         addRuns(walked, figures);
-        JsonNode told = walked.told().path(ROW);
+        JsonNode told = walked.given().path(ROW);
         JsonNode width = walked.input().path("size").path(0);
         figures.add(
                 new BoardPath(

@@ -13,10 +13,10 @@ interface Sketch {
      *
      * @param input of the walk
      * @param steps that are made
-     * @param told of the step that is asked for; empty where the walk rests
+     * @param given of the step that is asked for; empty where the walk rests
      * @param wrong the answer that was given in place of the newest step, if it was wrong
      */
-    record Walked(JsonNode input, List<JsonNode> steps, JsonNode told, Optional<JsonNode> wrong) {
+    record Walked(JsonNode input, List<JsonNode> steps, JsonNode given, Optional<JsonNode> wrong) {
         public Walked {
             steps = List.copyOf(steps);
         }

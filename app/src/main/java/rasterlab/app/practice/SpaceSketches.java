@@ -35,10 +35,10 @@ final class SpaceSketches {
         var figures = new ArrayList<BoardFigure>(SpaceView.axes(1.25 * reach));
         for (JsonNode face : faces) figures.add(face(vertices, face, FigureLook.GIVEN));
         addSums(figures, walked, vertices, reach * ARROW);
-        int asked = walked.told().path("face").asInt(-1);
+        int asked = walked.given().path("face").asInt(-1);
         if (asked >= 0) figures.add(face(vertices, faces.path(asked), FigureLook.ASKED));
         for (int v = 0; v < vertices.size(); v++) {
-            boolean about = walked.told().path("vertex").asInt(-1) == v;
+            boolean about = walked.given().path("vertex").asInt(-1) == v;
             FigureLook look = about ? FigureLook.ASKED : FigureLook.GIVEN;
             figures.add(new BoardDot(SpaceView.at(vertices.get(v)), String.valueOf(v), look));
         }
@@ -90,7 +90,7 @@ final class SpaceSketches {
                             ARROW * reach,
                             walked.look(i)));
         }
-        JsonNode place = walked.told().path("place");
+        JsonNode place = walked.given().path("place");
         if (place.isArray()) figures.add(new BoardDot(SpaceView.at(place), "", FigureLook.ASKED));
         return new Board(BoardSpace.SPACE, figures, new NoPick());
     }

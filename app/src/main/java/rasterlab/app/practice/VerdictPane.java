@@ -32,12 +32,12 @@ final class VerdictPane extends JPanel {
     }
 
     /** Shows the verdict on an answer, with the method's own reason. */
-    void show(Answered last, String topic) {
+    void show(AnsweredQuestion last, String topic) {
         Color own = last.right() ? MethodColors.GREEN : MethodColors.VERMILLION;
         verdict.setForeground(MethodColors.textOn(getBackground(), own));
         verdict.setText(texts.text(last.right() ? "right" : "wrong"));
         String language = texts.locale().getLanguage();
-        String said = last.question().said(last.answer()).in(language);
+        String said = last.question().verdictMessage(last.answer()).in(language);
         Optional<String> line =
                 last.question().reason().filter(JsonNode::isTextual).map(JsonNode::asText);
         var words = new StepText(topic, texts.locale());

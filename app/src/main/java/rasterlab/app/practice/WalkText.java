@@ -35,7 +35,7 @@ final class WalkText {
             text.append("\n  ")
                     .append(i + 1)
                     .append(".  ")
-                    .append(words.told(state.question().shown(state.steps().get(i))));
+                    .append(words.fieldsText(state.question().shown(state.steps().get(i))));
         if (state.steps().isEmpty()) text.append("\n  ").append(texts.text("walk.none"));
         return StepText.signed(text.toString());
     }

@@ -98,7 +98,7 @@ final class RowInspector {
         TopicTexts said = TopicTexts.of(choice.topic(), texts.language());
         description.show(
                 GivenInput.is(choice.hazard())
-                        ? GivenInput.said(texts.language())
+                        ? GivenInput.sentence(texts.language())
                         : said.hazard(choice.hazard()));
         pixel.setText(texts.text("pixel.number", choice.pixel(), model.pixels() - 1));
         model.shown().ifPresentOrElse(this::show, this::showNothing);

@@ -77,8 +77,8 @@ final class RowPainter {
     private int high() {
         boolean answered = scene.errors().length > 0;
         int parts = scene.bands().size() + (answered ? 1 : 0);
-        int words = said(answered ? errorWords() : failureWords());
-        for (RowScene.ColorBand band : scene.bands()) words += said(name(band));
+        int words = textHeight(answered ? errorWords() : failureWords());
+        for (RowScene.ColorBand band : scene.bands()) words += textHeight(name(band));
         int room = plan.height() - 2 * MARGIN - words - MARK - scene.bands().size() * GAP;
         return Math.min(room / parts, (plan.height() - 2 * MARGIN) / 3);
     }
@@ -115,7 +115,7 @@ final class RowPainter {
     }
 
     /** View units that the words take above a band. */
-    private int said(String words) {
+    private int textHeight(String words) {
         int lines = Wrapping.lines(words, plan.wide(), metrics::stringWidth).size();
         return lines * metrics.getHeight() + BELOW_WORDS;
     }
@@ -194,7 +194,7 @@ final class RowPainter {
                                 texts.text(
                                         scene.verdict().kind().code(),
                                         choice.method(),
-                                        VerdictDetail.said(texts.language(), detail)));
+                                        VerdictDetail.translated(texts.language(), detail)));
     }
 
     private String errorWords() {

@@ -62,7 +62,7 @@ final class ErrorDialog {
         String reason = message == null || message.isBlank() ? failure.toString() : message;
         return texts.text(
                 "error.sentence",
-                Complaints.said(texts.language(), reason.lines().findFirst().orElse(reason)));
+                Complaints.translated(texts.language(), reason.lines().findFirst().orElse(reason)));
     }
 
     private static String details(Throwable failure) {

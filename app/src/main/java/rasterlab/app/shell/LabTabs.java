@@ -134,22 +134,24 @@ public final class LabTabs implements AutoCloseable {
     void goOnAs(List<Doing> before) {
         for (Doing was : before) {
             was.playing().ifPresent(named(was.tab())::goOn);
-            was.told().ifPresent(named(was.tab())::tellAgain);
+            was.hazard().ifPresent(named(was.tab())::tellAgain);
         }
     }
 
     /** Tells the work of each tab, seen or not. */
     List<Doing> doing() {
-        return tabs.stream().map(tab -> new Doing(tab.name(), tab.playing(), tab.told())).toList();
+        return tabs.stream()
+                .map(tab -> new Doing(tab.name(), tab.playing(), tab.shownHazard()))
+                .toList();
     }
 
     /**
      * Tells the work of a tab's lab that its model does not know.
      *
      * @param playing how it plays
-     * @param told the hazard that is told over its stage
+     * @param hazard the hazard that is told over its stage
      */
-    record Doing(String tab, Optional<StepPlayer.Playing> playing, Optional<ShownHazard> told) {}
+    record Doing(String tab, Optional<StepPlayer.Playing> playing, Optional<ShownHazard> hazard) {}
 
     /** The tab of that name, or the first. */
     LabTab namedOrFirst(String name) {

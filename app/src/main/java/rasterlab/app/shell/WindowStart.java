@@ -72,7 +72,7 @@ public final class WindowStart {
 
     private void open(Path place) {
         Thread.setDefaultUncaughtExceptionHandler(reports);
-        var labsFile = LabsFile.beside(place, problems);
+        var labsFile = LabsFile.nextTo(place, problems);
         var left = CompletableFuture.supplyAsync(labsFile::read, thread("labs file"));
         LabModels models =
                 LabModels.unmade(

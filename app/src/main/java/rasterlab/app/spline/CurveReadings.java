@@ -132,7 +132,7 @@ final class CurveReadings {
                                             texts.text(
                                                     "note.refused",
                                                     drawing.method(),
-                                                    VerdictDetail.said(
+                                                    VerdictDetail.translated(
                                                             texts.language(), drawing.message())));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };

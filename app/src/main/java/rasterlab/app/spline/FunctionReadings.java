@@ -140,7 +140,7 @@ final class FunctionReadings {
                                             texts.text(
                                                     "note.refusedKnots",
                                                     drawing.method(),
-                                                    VerdictDetail.said(
+                                                    VerdictDetail.translated(
                                                             texts.language(), drawing.message())));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };

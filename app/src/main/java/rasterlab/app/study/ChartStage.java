@@ -52,17 +52,18 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
      * @param height likewise
      * @param dots of the picture for each unit
      */
-    private record Asked(
+    private record StudyChartRequest(
             Study study, String level, int width, int height, double dots, StageColors colors) {}
 
-    private record Painted(Asked asked, BufferedImage image, List<FrontChart.PaintedPoint> spots) {}
+    private record Painted(
+            StudyChartRequest asked, BufferedImage image, List<FrontChart.PaintedPoint> spots) {}
 
     private final transient StudyLabModel model;
     private final transient Texts texts;
     private final transient TopicNames called;
-    private final transient LatestOnly<Asked, Painted> painter;
+    private final transient LatestOnly<StudyChartRequest, Painted> painter;
     private transient Optional<Painted> painted = Optional.empty();
-    private transient Optional<Asked> asked = Optional.empty();
+    private transient Optional<StudyChartRequest> asked = Optional.empty();
 
     /**
      * @param onFailure told what painting threw, on any thread
@@ -142,7 +143,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
 
     /** Asks for the picture of the present study and size, unless it is there. */
     void refresh() {
-        Optional<Asked> wanted =
+        Optional<StudyChartRequest> wanted =
                 model.state()
                         .study()
                         .filter(study -> getWidth() > 0 && getHeight() > 0)
@@ -159,9 +160,9 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         repaint();
     }
 
-    private Asked question(Study study, String level) {
+    private StudyChartRequest question(Study study, String level) {
         double type = type(getWidth(), getHeight(), UIScale.getUserScaleFactor());
-        return new Asked(
+        return new StudyChartRequest(
                 study,
                 level,
                 (int) Math.round(getWidth() / type),
@@ -180,7 +181,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                 wanted, Math.min((double) width / LEAST.width, (double) height / LEAST.height));
     }
 
-    private Painted painted(Asked question) {
+    private Painted painted(StudyChartRequest question) {
         var colors = question.colors();
         var chart =
                 new FrontChart(

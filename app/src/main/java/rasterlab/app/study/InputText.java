@@ -31,7 +31,7 @@ final class InputText {
         if (value.getClass().isArray()) return array(value);
         if (value instanceof List<?> list) return list(list);
         if (value instanceof Record && !saysItself(value)) return record(value);
-        return InputWords.said(texts, value.toString());
+        return InputWords.translated(texts, value.toString());
     }
 
     /** Whether the record has words of its own: those that the compiler gives it are final. */

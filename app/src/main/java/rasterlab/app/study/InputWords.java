@@ -35,7 +35,7 @@ final class InputWords {
     private InputWords() {}
 
     /** The sentence; one that is none of these stays as it is. */
-    static String said(Texts texts, String english) {
+    static String translated(Texts texts, String english) {
         for (Sentence each : SENTENCES) {
             Matcher found = each.english().matcher(english);
             if (found.matches()) return texts.text(each.key(), groups(texts, found));

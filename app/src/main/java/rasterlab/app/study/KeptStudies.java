@@ -55,7 +55,7 @@ final class KeptStudies {
             Study study = StudyReading.of(FileToRead.text(file, FileKind.RESULT), topic);
             return Optional.of(study).filter(one -> !one.measurements().isEmpty());
         } catch (NotJson e) {
-            throw Complaint.badInput(file + ": cannot be read: not JSON: " + e.said());
+            throw Complaint.badInput(file + ": cannot be read: not JSON: " + e.phrase());
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(file + ": cannot be read: " + e.getMessage());
         }

@@ -205,7 +205,7 @@ final class StudyInspector {
                 ? point.method()
                 : words.called(point.method())
                         + ": "
-                        + VerdictDetail.said(texts.language(), point.detail());
+                        + VerdictDetail.translated(texts.language(), point.detail());
     }
 
     private String error(Study study, Measurement point) {
@@ -243,10 +243,10 @@ final class StudyInspector {
                         + ", "
                         + called.hazard(state.topic(), hazard)
                         + ". "
-                        + said(state).hazard(hazard)
+                        + topicTexts(state).hazard(hazard)
                         + (said.isEmpty()
                                 ? ""
-                                : "\n→ " + VerdictDetail.said(texts.language(), said)));
+                                : "\n→ " + VerdictDetail.translated(texts.language(), said)));
         say(input, texts.text("input.is", InputText.of(hazard.input(), texts)));
         Optional<NotShown> obstacle = lab.obstacleTo(state.topic().name(), hazard.name());
         open.setEnabled(obstacle.isEmpty());
@@ -255,13 +255,13 @@ final class StudyInspector {
                         .orElse(texts.text("open.hint")));
     }
 
-    private TopicTexts said(StudyLabState state) {
+    private TopicTexts topicTexts(StudyLabState state) {
         return TopicTexts.of(state.topic().name(), texts.language());
     }
 
     private void explain(StudyLabState state) {
         Method<?> method = state.topic().method(state.method());
-        TopicTexts said = said(state);
+        TopicTexts said = topicTexts(state);
         about.show(
                 List.of(
                         new AboutText.Called(

@@ -241,7 +241,7 @@ public final class StudyPanel extends LabPanel {
     private String resting(StudyLabState state) {
         StudyWork work = state.work();
         if (work.kind() == StudyWork.Kind.GIVEN_UP) return texts.text("progress.givenUp");
-        String why = Complaints.said(texts.language(), work.on());
+        String why = Complaints.translated(texts.language(), work.on());
         if (work.kind() == StudyWork.Kind.NOT_KEPT) return texts.text("progress.notKept", why);
         if (work.kind() == StudyWork.Kind.NOT_READ) return texts.text("progress.notRead", why);
         if (state.view() == StudyView.CHART)

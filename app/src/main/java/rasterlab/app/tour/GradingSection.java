@@ -164,7 +164,7 @@ final class GradingSection implements TourPart {
     private static void showText(TourPage page, JsonNode difference) {
         var part = PicturePart.ofData(difference.path("part").toString());
         part.filter(known -> !known.isWhole())
-                .map(known -> known.said().in(page.texts().locale().getLanguage()))
+                .map(known -> known.message().in(page.texts().locale().getLanguage()))
                 .ifPresent(page::paragraph);
         String text = difference.path("text").asText();
         List<String> rows = PixelRows.of(text, part);
@@ -185,7 +185,7 @@ final class GradingSection implements TourPart {
     private static String verdict(JsonNode judged) {
         return new PublishedVerdict(
                         judged.path("verdict").asText(), judged.path("run").asBoolean(true))
-                .told(judged.path("points").asInt(), judged.path("of").asInt());
+                .codeFor(judged.path("points").asInt(), judged.path("of").asInt());
     }
 
     private static String title(JsonNode judged) {

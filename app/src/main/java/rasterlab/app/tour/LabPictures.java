@@ -29,13 +29,13 @@ final class LabPictures implements TourPart {
     /**
      * A tab.
      *
-     * @param said what it is, in a language
+     * @param caption what it is, in a language
      * @param preparation gives once what prepares the tab in each look
      */
     private record Shot(
             String name,
             String tab,
-            Function<Language, String> said,
+            Function<Language, String> caption,
             Supplier<Consumer<LabModels>> preparation) {
         /** A shot of what the tour itself made before. */
         static Shot ofTour(String name, String tab, Supplier<Consumer<LabModels>> preparation) {
@@ -114,7 +114,7 @@ final class LabPictures implements TourPart {
     public void make(TourPage page) throws InterruptedException {
         for (Shot shot : shots) {
             if (!wanted.test(shot.name())) continue;
-            page.heading(shot.said().apply(page.texts().language()));
+            page.heading(shot.caption().apply(page.texts().language()));
             Consumer<LabModels> prepare = shot.preparation().get();
             List<TourPage.CaptionedPicture> figures = new ArrayList<>();
             for (TabLook look : looks) figures.add(figure(page, shot, prepare, look));
@@ -127,7 +127,7 @@ final class LabPictures implements TourPart {
             throws InterruptedException {
         Language language = look.language();
         String caption = language.ownName() + ", " + page.texts().text("theme." + look.themeName());
-        page.say(shot.said().apply(page.texts().language()) + ": " + caption);
+        page.say(shot.caption().apply(page.texts().language()) + ": " + caption);
         String name =
                 String.join(
                         "-", "lab", shot.name(), language.locale().getLanguage(), look.themeName());

@@ -67,7 +67,8 @@ final class ScenePictures implements TourPart {
                 rows.add(
                         List.of(
                                 visibility,
-                                Complaints.said(page.texts().language(), refusal.getMessage())));
+                                Complaints.translated(
+                                        page.texts().language(), refusal.getMessage())));
             }
         }
         page.table(page.texts().text("scenes.heads"), rows);

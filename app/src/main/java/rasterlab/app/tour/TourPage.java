@@ -60,7 +60,7 @@ final class TourPage {
     /** Says in the section's place that it could not be made, and why. */
     void fail(Throwable e) {
         String english = e.getMessage() == null ? e.toString() : e.getMessage();
-        String reason = Complaints.said(texts.language(), english);
+        String reason = Complaints.translated(texts.language(), english);
         say(texts.text("failed", reason));
         body.append("<p class=\"failure\">")
                 .append(Html.escaped(texts.text("failed", reason)))

@@ -14,10 +14,10 @@ import rasterlab.engine.visibility.buffer.PixelTouch;
  * @param asked the pixel, and in which picture
  * @param touches every face that touched it, in the order in which they did
  * @param stored what the depth buffer holds in the end, where the method keeps one
- * @param told whether the picture is one whose faces can be asked
+ * @param askable whether the picture is one whose faces can be asked
  */
 record PixelReport(
-        PixelRequest asked, List<PixelTouch> touches, OptionalDouble stored, boolean told) {
+        PixelRequest asked, List<PixelTouch> touches, OptionalDouble stored, boolean askable) {
     /**
      * @param x column
      * @param y row

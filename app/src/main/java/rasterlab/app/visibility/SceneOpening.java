@@ -83,7 +83,7 @@ final class SceneOpening
     }
 
     @Override
-    public String told() {
+    public String remark() {
         return model.state().problem();
     }
 

@@ -21,12 +21,13 @@ import rasterlab.engine.study.Verdict;
  */
 final class ViewVerdicts implements AutoCloseable {
     private final PictureMaker maker = PictureMaker.by(new Renderer());
-    private final LatestOnly<Asked, Map<String, Verdict.Kind>> verdicts;
+    private final LatestOnly<ViewVerdictRequest, Map<String, Verdict.Kind>> verdicts;
 
     /**
      * @param request of the view by any method, in the size of the stage
      */
-    private record Asked(RenderRequest request, Consumer<Map<String, Verdict.Kind>> told) {}
+    private record ViewVerdictRequest(
+            RenderRequest request, Consumer<Map<String, Verdict.Kind>> listener) {}
 
     /**
      * @param events runs what it is given on the one thread that is told the verdicts
@@ -37,13 +38,13 @@ final class ViewVerdicts implements AutoCloseable {
                 new LatestOnly<>(
                         "verdicts",
                         (asked, cancelled) -> found(asked.request(), maker, cancelled),
-                        (asked, found) -> events.execute(() -> asked.told().accept(found)),
+                        (asked, found) -> events.execute(() -> asked.listener().accept(found)),
                         onFailure);
     }
 
     /** Tells the verdicts, method after method in teaching order, unless others are asked for. */
     void ask(RenderRequest request, Consumer<Map<String, Verdict.Kind>> told) {
-        verdicts.ask(new Asked(request, told));
+        verdicts.ask(new ViewVerdictRequest(request, told));
     }
 
     /**

@@ -185,7 +185,8 @@ final class VisibilityReadings {
     }
 
     private static String refused(String method, String message, Texts texts) {
-        String own = texts.text("refused.by", method, Complaints.said(texts.language(), message));
+        String own =
+                texts.text("refused.by", method, Complaints.translated(texts.language(), message));
         return texts.language() == Language.ENGLISH ? own : texts.textOr("refused." + method, own);
     }
 
@@ -193,7 +194,9 @@ final class VisibilityReadings {
     String overStage() {
         var said = new StringJoiner(" ");
         if (!state.problem().isEmpty())
-            said.add(texts.text("problem", Complaints.said(texts.language(), state.problem())));
+            said.add(
+                    texts.text(
+                            "problem", Complaints.translated(texts.language(), state.problem())));
         else state.note().ifPresent(note -> said.add(note.in(texts.language())));
         if (state.showsNothing()) said.add(texts.text("empty"));
         var plan = new PlanReadings(texts.language());
@@ -205,7 +208,7 @@ final class VisibilityReadings {
         if (state.chosen().isEmpty()) return texts.text("pixel.none");
         ChosenPixel at = state.chosen().get();
         String place = Shown.point(at.x(), at.y(), texts.locale());
-        boolean untold = state.pixel().isPresent() && !state.pixel().get().told();
+        boolean untold = state.pixel().isPresent() && !state.pixel().get().askable();
         return untold ? texts.text("pixel.untold", place) : place;
     }
 

@@ -51,16 +51,17 @@ class PlaneFrameTest {
         return new PlanePoint(label, x, y, PlanePoint.HandleShape.CIRCLE, label, label);
     }
 
-    private static List<Rectangle> told(PlanePoint... points) {
-        return told(new Rectangle(), List.of(), points);
+    private static List<Rectangle> labelPlaces(PlanePoint... points) {
+        return labelPlaces(new Rectangle(), List.of(), points);
     }
 
-    private static List<Rectangle> told(
+    private static List<Rectangle> labelPlaces(
             Rectangle covered, List<Line2D> lines, PlanePoint... points) {
-        return told(new Told(new ArrayList<>(), lines, List.of()), covered, points);
+        return labelPlaces(new Told(new ArrayList<>(), lines, List.of()), covered, points);
     }
 
-    private static List<Rectangle> told(Told picture, Rectangle covered, PlanePoint... points) {
+    private static List<Rectangle> labelPlaces(
+            Told picture, Rectangle covered, PlanePoint... points) {
         new PlaneFrame(
                         picture,
                         List.of(points),
@@ -79,11 +80,12 @@ class PlaneFrameTest {
 
     @Test
     void labelLiesOverNoOtherPoint() {
-        Rectangle alone = told(point("A1 0000", 3, 3), point("", 7, 7)).get(0);
+        Rectangle alone = labelPlaces(point("A1 0000", 3, 3), point("", 7, 7)).get(0);
         PlanePoint there =
                 point("", MAP.worldX(alone.getCenterX()), MAP.worldY(alone.getCenterY()));
         PlanePoint opposite = point("", 10 - there.x(), 10 - there.y());
-        List<Rectangle> places = told(point("A1 0000", 3, 3), point("", 7, 7), there, opposite);
+        List<Rectangle> places =
+                labelPlaces(point("A1 0000", 3, 3), point("", 7, 7), there, opposite);
         assertEquals(5, places.size());
         for (Rectangle ring : places.subList(2, 5))
             assertFalse(ring.intersects(places.get(0)), ring + " under " + places.get(0));
@@ -92,7 +94,7 @@ class PlaneFrameTest {
     @Test
     void labelThatTheUpperEdgePushesBackLiesBesideItsRing() {
         PlanePoint high = point("B3 0001", 5, MAP.worldY(Rulers.top() + 22));
-        List<Rectangle> places = told(high, point("", 5, 1));
+        List<Rectangle> places = labelPlaces(high, point("", 5, 1));
         Rectangle label = places.get(0);
         double x = MAP.viewX(high.x());
         double y = MAP.viewY(high.y());
@@ -102,8 +104,9 @@ class PlaneFrameTest {
 
     @Test
     void labelsLeaveTheButtonsAndThePictureIsToldOfThem() {
-        Rectangle alone = told(point("A1 0000", 8, 2), point("", 2, 8)).get(0);
-        List<Rectangle> places = told(alone, List.of(), point("A1 0000", 8, 2), point("", 2, 8));
+        Rectangle alone = labelPlaces(point("A1 0000", 8, 2), point("", 2, 8)).get(0);
+        List<Rectangle> places =
+                labelPlaces(alone, List.of(), point("A1 0000", 8, 2), point("", 2, 8));
         assertFalse(alone.intersects(places.get(0)), places.toString());
         assertTrue(places.contains(alone), places.toString());
     }
@@ -111,13 +114,13 @@ class PlaneFrameTest {
     @Test
     void labelsOfPointsInOnePlaceLieBesideEachOther() {
         List<Rectangle> places =
-                told(point("A1 0000", 5, 5), point("B1 0000", 5.05, 5), point("", 7, 7));
+                labelPlaces(point("A1 0000", 5, 5), point("B1 0000", 5.05, 5), point("", 7, 7));
         assertFalse(places.get(0).intersects(places.get(1)), places.toString());
     }
 
     @Test
     void pictureIsToldOfLabelsAndRings() {
-        List<Rectangle> places = told(point("A1 0000", 3, 3), point("", 7, 7));
+        List<Rectangle> places = labelPlaces(point("A1 0000", 3, 3), point("", 7, 7));
         assertEquals(3, places.size(), "one label, two rings");
         assertFalse(places.get(0).contains(MAP.viewX(3), MAP.viewY(3)), "label on its point");
         assertTrue(places.get(1).contains(MAP.viewX(3), MAP.viewY(3)), places.toString());
@@ -127,7 +130,7 @@ class PlaneFrameTest {
     @Test
     @DisplayName("a handle that is moved aside leaves its label behind")
     void labelStandsBesideAHandleThatIsMovedAside() {
-        List<Rectangle> places = told(point("B", 1000, 5));
+        List<Rectangle> places = labelPlaces(point("B", 1000, 5));
         Rectangle label = places.get(0);
         Rectangle ring = places.get(1);
         assertTrue(new Rectangle(400, 400).contains(label), label.toString());
@@ -142,8 +145,8 @@ class PlaneFrameTest {
         var points = new ArrayList<PlanePoint>();
         for (int i = 0; i < 40; i++) points.add(point("A" + i + " 0000", 1000, 5));
         PlanePoint[] all = points.toArray(PlanePoint[]::new);
-        Rectangle buttons = told(all).get(0);
-        List<Rectangle> places = told(buttons, List.of(), all);
+        Rectangle buttons = labelPlaces(all).get(0);
+        List<Rectangle> places = labelPlaces(buttons, List.of(), all);
         List<Rectangle> labels = places.subList(0, places.size() - points.size() - 1);
         assertFalse(labels.isEmpty());
         for (Rectangle label : labels) assertFalse(label.intersects(buttons), label.toString());
@@ -156,9 +159,10 @@ class PlaneFrameTest {
     @DisplayName("a label covers a line beside free places")
     void labelLeavesLinesClear() {
         var point = point("A1 0000", 3, 3);
-        Rectangle before = told(point, point("", 7, 7)).get(0);
+        Rectangle before = labelPlaces(point, point("", 7, 7)).get(0);
         var line = new Line2D.Double(0, before.getCenterY(), MAP.viewX(3), before.getCenterY());
-        Rectangle label = told(new Rectangle(), List.of(line), point, point("", 7, 7)).get(0);
+        Rectangle label =
+                labelPlaces(new Rectangle(), List.of(line), point, point("", 7, 7)).get(0);
         assertTrue(before.intersectsLine(line));
         assertFalse(label.intersectsLine(line), label + " on the line");
     }
@@ -167,14 +171,14 @@ class PlaneFrameTest {
     @DisplayName("a label hides lit pixels beside free ones, to leave a line clear")
     void labelLeavesPixelsClear() {
         PlanePoint[] points = {point("A1 0000", 3, 3), point("", 7, 7)};
-        Rectangle before = told(points).get(0);
+        Rectangle before = labelPlaces(points).get(0);
         var lit = new ArrayList<Rectangle2D>();
         for (int x = 0; x < 400; x += 20)
             for (int y = (int) MAP.viewY(4); y < 400; y += 20)
                 lit.add(new Rectangle2D.Double(x, y, 20, 20));
         var line = new Line2D.Double(0, MAP.viewY(4.2), 400, MAP.viewY(4.2));
         var picture = new Told(new ArrayList<>(), List.of(line), lit);
-        Rectangle label = told(picture, new Rectangle(), points).get(0);
+        Rectangle label = labelPlaces(picture, new Rectangle(), points).get(0);
         assertTrue(lit.stream().anyMatch(before::intersects), before.toString());
         assertFalse(lit.stream().anyMatch(label::intersects), label + " on a lit pixel");
     }

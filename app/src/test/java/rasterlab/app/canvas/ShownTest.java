@@ -42,7 +42,7 @@ class ShownTest {
     })
     void roundingBesideOthersReadsAsZero(
             String mistake, double value, double largest, String shown) {
-        assertEquals(shown, Shown.beside(value, largest, 4, Locale.ENGLISH), mistake);
+        assertEquals(shown, Shown.coordinate(value, largest, 4, Locale.ENGLISH), mistake);
     }
 
     @Test

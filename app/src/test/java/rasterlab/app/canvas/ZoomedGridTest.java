@@ -72,8 +72,8 @@ class ZoomedGridTest {
         Line2D line = grid.line(x0, y0, x1, y1);
         var whole =
                 new Line2D.Double(grid.viewX(x0), grid.viewY(y0), grid.viewX(x1), grid.viewY(y1));
-        assertEquals(0, beside(whole, line.getP1()), 1e-3, mistake);
-        assertEquals(0, beside(whole, line.getP2()), 1e-3, mistake);
+        assertEquals(0, distance(whole, line.getP1()), 1e-3, mistake);
+        assertEquals(0, distance(whole, line.getP2()), 1e-3, mistake);
         assertTrue(line.getP1().distance(line.getP2()) <= 2e5 + 1, mistake);
         assertTrue(line.ptSegDist(0, 0) < 1e3, mistake);
         var ends = Set.of(line.getP1(), line.getP2());
@@ -82,7 +82,7 @@ class ZoomedGridTest {
     }
 
     /** How far a point lies beside a line; {@code ptLineDist} loses it in long lines. */
-    private static double beside(Line2D line, Point2D point) {
+    private static double distance(Line2D line, Point2D point) {
         double dx = line.getX2() - line.getX1();
         double dy = line.getY2() - line.getY1();
         double cross = dx * (point.getY() - line.getY1()) - dy * (point.getX() - line.getX1());

@@ -67,7 +67,7 @@ class NumberWordsTest {
                 .flatMap(
                         language ->
                                 Stream.of(
-                                        Complaints.said(language, complaint),
+                                        Complaints.translated(language, complaint),
                                         Complaints.saidToTypist(language, complaint)))
                 .filter(said -> JAVA.matcher(said).find() || RussianWords.mixed(said))
                 .distinct()

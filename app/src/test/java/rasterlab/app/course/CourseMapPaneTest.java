@@ -77,7 +77,7 @@ class CourseMapPaneTest {
         var pane = new CourseMapPane[1];
         try (var standings = standings()) {
             LocalTries.note(drafts.resolve("circle.result.json"), new ScorePoints(57, 30, 13, 100));
-            told(standings);
+            show(standings);
             EventQueue.invokeAndWait(
                     () -> {
                         LabTheme.LIGHT.install(percent);
@@ -146,16 +146,16 @@ class CourseMapPaneTest {
             var state = (JLabel) named(pane[0], "map.state.circle");
             assertEquals("not tried", state.getText());
             LocalTries.note(drafts.resolve("circle.result.json"), new ScorePoints(50, 7, 0, 100));
-            told(standings);
+            show(standings);
             assertEquals("57 of 100", state.getText());
             pane[0].close();
             LocalTries.note(drafts.resolve("circle.result.json"), new ScorePoints(60, 7, 0, 100));
-            told(standings);
+            show(standings);
             assertEquals("57 of 100", state.getText(), "a closed map listens");
         }
     }
 
-    private void told(Standings standings) throws Exception {
+    private void show(Standings standings) throws Exception {
         standings.look(Optional.empty());
         Runnable event = events.poll(60, TimeUnit.SECONDS);
         assertTrue(event != null, "nothing is told");

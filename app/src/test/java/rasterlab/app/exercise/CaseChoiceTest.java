@@ -27,11 +27,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.outcome.OutcomeFile;
-import rasterlab.app.exercise.outcome.TriedCase;
-import rasterlab.app.exercise.outcome.TriedPicture;
+import rasterlab.app.exercise.outcome.ResultPicture;
 import rasterlab.app.exercise.panel.CaseCanvas;
 import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.exercise.panel.SavedExercisePanes;
@@ -45,8 +45,8 @@ import rasterlab.exercises.score.PictureBytes;
 class CaseChoiceTest {
     private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
     private static final int SMALLEST = 5;
-    private static final TriedCase HIDDEN =
-            new TriedCase("hidden", "wrong", 0, 4, LocalizedText.NOTHING, List.of(), "");
+    private static final CaseResult HIDDEN =
+            new CaseResult("hidden", "wrong", 0, 4, LocalizedText.NOTHING, List.of(), "");
 
     private final SavedExercisePanes kept = new SavedExercisePanes();
 
@@ -208,7 +208,7 @@ class CaseChoiceTest {
                 });
     }
 
-    private static BackgroundWork grading(TriedCase... cases) {
+    private static BackgroundWork grading(CaseResult... cases) {
         return new BackgroundWork(BackgroundWork.Phase.GRADING, cases.length, 0, List.of(cases));
     }
 
@@ -304,7 +304,7 @@ class CaseChoiceTest {
             throws Exception {
         Outcome all = wrong();
         var said = new LocalizedText("it is so", "это так");
-        List<TriedCase> cases =
+        List<CaseResult> cases =
                 all.cases().stream()
                         .map(one -> drawn(one, one.name().equals(smallest) ? 1 : 4, said))
                         .toList();
@@ -331,7 +331,7 @@ class CaseChoiceTest {
     }
 
     private static BackgroundWork judged(int cases) {
-        List<TriedCase> all = wrong().cases();
+        List<CaseResult> all = wrong().cases();
         return new BackgroundWork(
                 BackgroundWork.Phase.CHECKING, cases, all.size(), all.subList(0, cases));
     }
@@ -352,7 +352,7 @@ class CaseChoiceTest {
 
     private static Outcome wrong(String source) {
         Outcome plain = ShownResult.outcome(GradingVerdict.WRONG);
-        List<TriedCase> cases =
+        List<CaseResult> cases =
                 plain.cases().stream()
                         .map(one -> drawn(one, plain.cases().indexOf(one) == SMALLEST ? 1 : 4))
                         .toList();
@@ -368,24 +368,24 @@ class CaseChoiceTest {
                 false);
     }
 
-    private static TriedCase drawn(TriedCase one, int pixels) {
+    private static CaseResult drawn(CaseResult one, int pixels) {
         return drawn(one, pixels, LocalizedText.NOTHING);
     }
 
-    private static TriedCase drawn(TriedCase one, int pixels, LocalizedText said) {
+    private static CaseResult drawn(CaseResult one, int pixels, LocalizedText said) {
         byte[] png = png(pixels);
         var rows = new LocalizedText("-".repeat(pixels), "-".repeat(pixels));
-        List<TriedPicture> pictures =
+        List<ResultPicture> pictures =
                 CaseCanvas.USUAL.stream()
                         .map(
                                 kind ->
-                                        new TriedPicture(
+                                        new ResultPicture(
                                                 kind,
                                                 PictureBytes.alike(png),
                                                 rows,
                                                 Optional.empty()))
                         .toList();
-        return new TriedCase(one.name(), one.verdict(), 0, one.of(), said, pictures, "");
+        return new CaseResult(one.name(), one.verdict(), 0, one.of(), said, pictures, "");
     }
 
     private static byte[] png(int width) {

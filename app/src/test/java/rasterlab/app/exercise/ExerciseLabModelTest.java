@@ -15,11 +15,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.file.ShellPath;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.outcome.OutcomeFile;
 import rasterlab.app.exercise.outcome.Outcomes;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.exercises.Exercise;
@@ -274,14 +274,14 @@ class ExerciseLabModelTest {
             Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
             assertEquals("wrong", outcome.verdict());
             assertTrue(done.contains(5), done.toString());
-            TriedCase smallest = outcome.smallestCounterexample().orElseThrow();
+            CaseResult smallest = outcome.smallestCounterexample().orElseThrow();
             assertTrue(smallest.scene().contains("\"topic\":\"line\""), smallest.scene());
             assertTrue(smallest.scene().contains("\"drawn\":[["), smallest.scene());
             assertTrue(
-                    smallest.said().english().contains("by the property it is"),
-                    smallest.said().english());
-            assertNotEquals(smallest.said().in(Language.RUSSIAN), smallest.said().english());
-            for (TriedCase other : outcome.cases())
+                    smallest.message().english().contains("by the property it is"),
+                    smallest.message().english());
+            assertNotEquals(smallest.message().in(Language.RUSSIAN), smallest.message().english());
+            for (CaseResult other : outcome.cases())
                 if (!other.pictures().isEmpty())
                     assertTrue(smallest.pixels() <= other.pixels(), other.name());
             assertTrue(trial.state().upToDate());
@@ -330,8 +330,8 @@ class ExerciseLabModelTest {
             Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
             assertEquals(
                     "not run: your method was stopped in 5 cases before",
-                    outcome.cases().get(5).said().english());
-            String told = outcome.mostTelling().orElseThrow().said().english();
+                    outcome.cases().get(5).message().english());
+            String told = outcome.mostTelling().orElseThrow().message().english();
             assertTrue(told.startsWith("no answer within"), told);
         }
     }

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import rasterlab.app.exercise.outcome.TriedCase;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 
@@ -56,7 +56,7 @@ class HandedInputTest {
             List<String> broken =
                     answered.outcome().orElseThrow().cases().stream()
                             .filter(one -> one.right())
-                            .map(TriedCase::name)
+                            .map(CaseResult::name)
                             .toList();
             assertEquals(true, broken.contains("radius-0-skipped"), broken.toString());
         }

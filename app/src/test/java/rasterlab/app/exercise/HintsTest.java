@@ -130,7 +130,7 @@ class HintsTest {
             List<String> keys =
                     server.asked.stream()
                             .filter(one -> one.path().equals(HINTS))
-                            .map(FakeServer.Asked::key)
+                            .map(FakeServer.ReceivedRequest::key)
                             .toList();
             assertEquals(2, keys.size());
             assertNotEquals(keys.get(0), keys.get(1), "the second hint is asked for as the first");
@@ -154,7 +154,7 @@ class HintsTest {
             List<String> keys =
                     server.asked.stream()
                             .filter(one -> one.path().equals(HINTS))
-                            .map(FakeServer.Asked::key)
+                            .map(FakeServer.ReceivedRequest::key)
                             .distinct()
                             .toList();
             assertEquals(1, keys.size());

@@ -24,7 +24,7 @@ class OtherTextsTest {
         return trial.state().otherDrafts().stream().map(DraftFile.Other::text).toList();
     }
 
-    private static String told(Trial trial) {
+    private static String trialText(Trial trial) {
         return trial.state().notice().in(Texts.of("exercise", Language.ENGLISH));
     }
 
@@ -39,8 +39,8 @@ class OtherTextsTest {
             assertEquals(CIRCLE, trial.state().exercise());
             assertEquals("of the file", trial.state().source());
             assertEquals(List.of("mine so far"), others(trial));
-            assertTrue(told(trial).contains("Circle.java"), told(trial));
-            assertTrue(told(trial).contains("Other draft"), told(trial));
+            assertTrue(trialText(trial).contains("Circle.java"), trialText(trial));
+            assertTrue(trialText(trial).contains("Other draft"), trialText(trial));
             trial.model.unsavedDrafts();
         }
         try (var again = new Trial(folder)) {
@@ -57,7 +57,7 @@ class OtherTextsTest {
             texts.open(CIRCLE, "of the file", "Circle.java");
             texts.open(CIRCLE, "of the file", "Circle.java");
             assertEquals(List.of(), others(trial));
-            assertEquals("This is the text of the file Circle.java.", told(trial));
+            assertEquals("This is the text of the file Circle.java.", trialText(trial));
             texts.open(CIRCLE, "another", "Circle.java");
             texts.open(CIRCLE, "of the file", "Circle.java");
             texts.open(CIRCLE, "another", "Circle.java");
@@ -75,7 +75,7 @@ class OtherTextsTest {
             trial.model.type("mine so far");
             new OtherTexts(trial.model).open(CIRCLE, "of the file", "Circle.java");
             assertEquals("mine so far", trial.state().source());
-            assertTrue(told(trial).startsWith("This is still your text"), told(trial));
+            assertTrue(trialText(trial).startsWith("This is still your text"), trialText(trial));
         }
     }
 

@@ -22,11 +22,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.widget.NameChooser;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.FittedPicture;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
-import rasterlab.app.exercise.outcome.TriedPicture;
+import rasterlab.app.exercise.outcome.ResultPicture;
 import rasterlab.app.exercise.panel.CaseCanvas;
 import rasterlab.app.exercise.panel.CaseTable;
 import rasterlab.app.exercise.panel.PlacedCase;
@@ -94,7 +94,7 @@ class PictureListTest {
     @Test
     @DisplayName("a picture of a kind that is not known is left out or has no name")
     void aKindThatIsNotKnownIsShownUnderItsOwnName() throws Exception {
-        List<TriedPicture> pictures =
+        List<ResultPicture> pictures =
                 Stream.concat(Stream.of(drawing("light-from", 90, 90)), grids("#-", "#+").stream())
                         .toList();
         onCanvas(
@@ -162,11 +162,11 @@ class PictureListTest {
                 "", 0, plain.verdict(), plain.points(), cases, List.of(), WORDS, 0, false);
     }
 
-    private static TriedCase tried(String name, List<TriedPicture> pictures) {
-        return new TriedCase(name, "wrong", 0, 1, LocalizedText.NOTHING, pictures, "");
+    private static CaseResult tried(String name, List<ResultPicture> pictures) {
+        return new CaseResult(name, "wrong", 0, 1, LocalizedText.NOTHING, pictures, "");
     }
 
-    private static void onCanvas(List<TriedPicture> pictures, Consumer<CaseCanvas> test)
+    private static void onCanvas(List<ResultPicture> pictures, Consumer<CaseCanvas> test)
             throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
@@ -183,21 +183,21 @@ class PictureListTest {
     }
 
     /** Shows two pixels, each of 8 dots. */
-    private static List<TriedPicture> grids(String difference, String others) {
+    private static List<ResultPicture> grids(String difference, String others) {
         return List.of(
                 grid("expected", others), grid("actual", others), grid("difference", difference));
     }
 
-    private static TriedPicture grid(String kind, String row) {
-        return new TriedPicture(
+    private static ResultPicture grid(String kind, String row) {
+        return new ResultPicture(
                 kind,
                 PictureBytes.alike(png(17, 9)),
                 new LocalizedText(row, row),
                 Optional.empty());
     }
 
-    private static TriedPicture drawing(String kind, int width, int height) {
-        return new TriedPicture(
+    private static ResultPicture drawing(String kind, int width, int height) {
+        return new ResultPicture(
                 kind, PictureBytes.alike(png(width, height)), WORDS, Optional.empty());
     }
 

@@ -23,9 +23,9 @@ import javax.swing.JTextArea;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -181,7 +181,7 @@ class ResultGuideTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(language, FAILURES::add);
-                    TriedCase tried = judged(TriedCase.untried(EXERCISE).get(0), verdict);
+                    CaseResult tried = judged(CaseResult.untried(EXERCISE).get(0), verdict);
                     var grading =
                             new BackgroundWork(BackgroundWork.Phase.GRADING, 1, 0, List.of(tried));
                     show(pane, grading, Optional.empty());
@@ -205,9 +205,9 @@ class ResultGuideTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(language, FAILURES::add);
-                    TriedCase open = TriedCase.untried(EXERCISE).get(0);
+                    CaseResult open = CaseResult.untried(EXERCISE).get(0);
                     var wrong =
-                            new TriedCase(
+                            new CaseResult(
                                     open.name(),
                                     "wrong",
                                     0,

@@ -22,9 +22,9 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.panel.CaseCanvas;
 import rasterlab.app.exercise.panel.CaseTable;
 import rasterlab.app.exercise.panel.PlacedCase;
@@ -129,11 +129,11 @@ class ResultPlacesTest {
                 Message.of("pixel.instead", "(-12, 34)", "(-12, 35)")
                         .and(Message.of("known-fault", "bresenham-textbook"));
         Outcome plain = outcome(GradingVerdict.WRONG);
-        List<TriedCase> cases =
+        List<CaseResult> cases =
                 plain.cases().stream()
                         .map(
                                 one ->
-                                        new TriedCase(
+                                        new CaseResult(
                                                 one.name(),
                                                 one.verdict(),
                                                 0,

@@ -8,10 +8,10 @@ import java.util.function.Consumer;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.lab.NotShown;
 import rasterlab.app.canvas.lab.OpenInLab;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.exercise.panel.SavedExercisePanes;
 import rasterlab.app.language.Language;
@@ -120,7 +120,7 @@ public final class ShownResult {
                         Notice.NONE,
                         Optional.empty(),
                         JoinAnswer.NONE),
-                TriedCase.untried(exercise));
+                CaseResult.untried(exercise));
     }
 
     /** No points, every case judged alike. */
@@ -130,7 +130,7 @@ public final class ShownResult {
                 0,
                 verdict.code(),
                 new ScorePoints(0, 0, 0, 100),
-                TriedCase.untried(EXERCISE).stream()
+                CaseResult.untried(EXERCISE).stream()
                         .map(one -> judged(one, verdict.code()))
                         .toList(),
                 List.of(),
@@ -142,8 +142,8 @@ public final class ShownResult {
     /**
      * @param verdict its code, "" before there is one
      */
-    static TriedCase judged(TriedCase one, String verdict) {
-        return new TriedCase(
+    static CaseResult judged(CaseResult one, String verdict) {
+        return new CaseResult(
                 one.name(), verdict, 0, one.of(), LocalizedText.NOTHING, List.of(), "");
     }
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedPicture;
+import rasterlab.app.exercise.outcome.ResultPicture;
 import rasterlab.app.server.FakeServer;
 import rasterlab.exercises.score.SpeedFigures;
 
@@ -49,23 +49,23 @@ class SubmittedPicturesTest {
                     });
             server.on(SubmittingTest.RESULT, exchange -> drawn(exchange, "input", url));
             trial.model.submit();
-            List<TriedPicture> pictures =
+            List<ResultPicture> pictures =
                     trial.awaitEnd().outcome().orElseThrow().cases().get(0).pictures();
             assertEquals(
                     List.of("difference #-", "input a dot|точка"),
                     pictures.stream().map(SubmittedPicturesTest::described).toList());
-            for (TriedPicture one : pictures) assertEquals(one.kind(), content(one, "en"));
+            for (ResultPicture one : pictures) assertEquals(one.kind(), content(one, "en"));
             assertEquals(
                     List.of("difference", "input in Russian"),
                     pictures.stream().map(one -> content(one, "ru")).toList());
         }
     }
 
-    private static String content(TriedPicture one, String language) {
+    private static String content(ResultPicture one, String language) {
         return new String(one.file().in(language), StandardCharsets.UTF_8);
     }
 
-    private static String described(TriedPicture one) {
+    private static String described(ResultPicture one) {
         LocalizedText text = one.text();
         boolean same = text.english().equals(text.russian());
         return one.kind() + " " + text.english() + (same ? "" : "|" + text.russian());
@@ -121,7 +121,7 @@ class SubmittedPicturesTest {
                     new LocalizedText(
                             "pixel (1, 2) is missing\nWhy this case is there: it is rare.",
                             "pixel (1, 2) is missing\nЗачем этот тест: it is rare."),
-                    outcome.cases().get(0).said());
+                    outcome.cases().get(0).message());
             assertEquals(
                     new SpeedFigures(
                             2.5,

@@ -21,10 +21,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.server.Account;
@@ -93,7 +93,7 @@ class SubmittingTest {
             Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
             assertEquals(3, outcome.attempt());
             assertEquals(9, outcome.points().total());
-            assertEquals("pixel (1, 2) is missing", outcome.cases().get(0).said().english());
+            assertEquals("pixel (1, 2) is missing", outcome.cases().get(0).message().english());
             assertTrue(phases.contains(BackgroundWork.Phase.WAITING), phases.toString());
             assertTrue(phases.contains(BackgroundWork.Phase.GRADING), phases.toString());
         }
@@ -126,10 +126,10 @@ class SubmittingTest {
                         FakeServer.send(exchange, 200, "application/json", DONE.replace(CASE, two));
                     });
             trial.model.submit();
-            List<TriedCase> cases = trial.awaitEnd().outcome().orElseThrow().cases();
+            List<CaseResult> cases = trial.awaitEnd().outcome().orElseThrow().cases();
             assertEquals(
-                    List.of("hidden 1", "hidden 2"), cases.stream().map(TriedCase::name).toList());
-            assertEquals(new LocalizedText("next lang=en", "next lang=ru"), cases.get(1).said());
+                    List.of("hidden 1", "hidden 2"), cases.stream().map(CaseResult::name).toList());
+            assertEquals(new LocalizedText("next lang=en", "next lang=ru"), cases.get(1).message());
         }
     }
 
@@ -143,7 +143,7 @@ class SubmittingTest {
                             "\"verdict\":\"wrong\"", "\"verdict\":\"no_result\",\"run\":false");
             server.on(RESULT, 200, DONE.replace(CASE, notRun));
             trial.model.submit();
-            TriedCase one = trial.awaitEnd().outcome().orElseThrow().cases().get(0);
+            CaseResult one = trial.awaitEnd().outcome().orElseThrow().cases().get(0);
             assertEquals("not_run", one.verdict());
         }
     }
@@ -341,7 +341,7 @@ class SubmittingTest {
             List<String> keys =
                     server.asked.stream()
                             .filter(one -> one.path().endsWith("/submissions"))
-                            .map(FakeServer.Asked::key)
+                            .map(FakeServer.ReceivedRequest::key)
                             .toList();
             assertEquals(keys.get(0), keys.get(1), "the same submission");
             assertTrue(!keys.get(1).equals(keys.get(2)), "after its result, a new one");

@@ -59,23 +59,24 @@ class FoundWordsTest {
         return new Measurement(method, workload, 16, Cost.NONE, Deviation.NONE, kind, "");
     }
 
-    private static String said(HazardMatrix hazards, Language language, Measurement... measured) {
+    private static String findingText(
+            HazardMatrix hazards, Language language, Measurement... measured) {
         var study = new Study("view", "point", "of the largest coordinate", List.of(measured));
         return String.join("\n", new FoundWords(VIEW, study, hazards, language).sentences());
     }
 
-    private static String said(Measurement... measured) {
-        return said(NONE, Language.ENGLISH, measured);
+    private static String findingText(Measurement... measured) {
+        return findingText(NONE, Language.ENGLISH, measured);
     }
 
     @Test
     void sentencesSayNoMoreThanTheNumbers() {
         HazardMatrix hazards = HazardMatrix.judged(VIEW, HazardTrial.WALL_LIMIT);
         Measurement quick = timed("one-matrix", 10, 0.5);
-        String told = said(hazards, Language.ENGLISH, quick, timed("taken-apart", 30, 0));
+        String told = findingText(hazards, Language.ENGLISH, quick, timed("taken-apart", 30, 0));
         assertTrue(told.contains("The quickest exact method: taken-apart (16 points)"), told);
         assertTrue(told.contains("exactness costs 3.00 times as much (between 2.9"), told);
-        String open = said(hazards, Language.ENGLISH, quick, timed("taken-apart", 10.3, 0));
+        String open = findingText(hazards, Language.ENGLISH, quick, timed("taken-apart", 10.3, 0));
         assertTrue(open.startsWith("The quickest exact method: taken-apart (16 points)."), open);
     }
 
@@ -85,10 +86,11 @@ class FoundWordsTest {
         Measurement small = timed("taken-apart", "points-16", 10, 0, Verdict.Kind.EXACT);
         Measurement large = timed("taken-apart", "points-256", 10, 0, Verdict.Kind.EXACT);
         assertTrue(
-                said(small, large)
+                findingText(small, large)
                         .startsWith("The quickest exact method at every workload: taken-apart.\n"));
         Measurement open = timed("one-matrix", "points-256", 10, 0.5, Verdict.Kind.DEGRADED);
-        assertTrue(said(small, open).startsWith("The quickest exact method: taken-apart (16 "));
+        assertTrue(
+                findingText(small, open).startsWith("The quickest exact method: taken-apart (16 "));
     }
 
     @Test
@@ -103,22 +105,22 @@ class FoundWordsTest {
                         new Deviation(0, 0, 0, 9, ""),
                         Verdict.Kind.EXACT,
                         "");
-        String open = said(wide, timed("one-matrix", 10, 0.5));
+        String open = findingText(wide, timed("one-matrix", 10, 0.5));
         assertTrue(
                 open.contains(
                         "At the workload “16 points” it is not told what exactness costs:"
                                 + " taken-apart, exact, and one-matrix, not exact, are not told"
                                 + " apart."),
                 open);
-        String another = said(timed("slow", 30, 0), wide, timed("one-matrix", 9.2, 0.5));
+        String another = findingText(timed("slow", 30, 0), wide, timed("one-matrix", 9.2, 0.5));
         assertTrue(another.contains("costs: taken-apart, exact, and one-matrix"), another);
-        String faster = said(timed("taken-apart", 5, 0), timed("one-matrix", 10, 0.5));
+        String faster = findingText(timed("taken-apart", 5, 0), timed("one-matrix", 10, 0.5));
         assertTrue(
                 faster.contains(
                         "exactness costs nothing: taken-apart is exact, and no method that is not"
                                 + " exact is faster."),
                 faster);
-        String all = said(timed("taken-apart", 5, 0), timed("one-matrix", 5, 0));
+        String all = findingText(timed("taken-apart", 5, 0), timed("one-matrix", 5, 0));
         assertTrue(all.contains("“16 points” every method that was timed is exact."), all);
     }
 
@@ -131,7 +133,7 @@ class FoundWordsTest {
             timed("taken-apart", "points-256", 10, 9, Verdict.Kind.WRONG),
             failed("loose", "points-256", Verdict.Kind.CRASHED)
         };
-        String told = said(measured);
+        String told = findingText(measured);
         assertTrue(
                 told.contains(
                         "Methods first fail at the workload “256 points”: loose (crashed),"
@@ -139,10 +141,12 @@ class FoundWordsTest {
                                 + " is “16 points”: convex. The first workload with an answer"
                                 + " that is acceptable but not exact is “64 points”: one-matrix."),
                 told);
-        String russian = said(NONE, Language.RUSSIAN, measured);
+        String russian = findingText(NONE, Language.RUSSIAN, measured);
         assertTrue(
                 russian.contains("методы отказываются от нагрузки «16 точек»: convex."), russian);
-        assertTrue(said(timed("one-matrix", 10, 0.5)).contains("No method fails at any workload"));
+        assertTrue(
+                findingText(timed("one-matrix", 10, 0.5))
+                        .contains("No method fails at any workload"));
     }
 
     private static String hardest(Language language, Verdict.Kind... kinds) {
@@ -156,7 +160,7 @@ class FoundWordsTest {
             cells.add(new VerdictCell(hazard.name(), method, verdict, kind));
         }
         var matrix = new HazardMatrix("view", methods, List.of(hazard.name()), cells);
-        String said = said(matrix, language, timed("taken-apart", 5, 0));
+        String said = findingText(matrix, language, timed("taken-apart", 5, 0));
         return said.substring(said.lastIndexOf('\n') + 1).replaceAll("[“«].*[”»]", "X");
     }
 

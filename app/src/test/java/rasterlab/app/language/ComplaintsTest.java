@@ -69,7 +69,7 @@ class ComplaintsTest {
                         + " изображение этой вкладки",
             })
     void numbersHaveTheFormOfTheLanguage(Language language, String english, String said) {
-        assertEquals(said, Complaints.said(language, english));
+        assertEquals(said, Complaints.translated(language, english));
     }
 
     @ParameterizedTest(name = "a number has Java''s capital E or .0, or a name loses its own: {1}")
@@ -109,16 +109,16 @@ class ComplaintsTest {
                         + " снаружи грани 4, на расстоянии 0,25",
             })
     void oneSentenceIsTakenForAllItsCases(String english, String part) {
-        String said = Complaints.said(Language.RUSSIAN, english);
+        String said = Complaints.translated(Language.RUSSIAN, english);
         assertTrue(said.contains(part), said);
     }
 
     @Test
     void patternsAreNotCompiledForEverySentence() {
         var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        assertEquals(UNKNOWN, Complaints.said(Language.RUSSIAN, UNKNOWN));
+        assertEquals(UNKNOWN, Complaints.translated(Language.RUSSIAN, UNKNOWN));
         long before = threads.getCurrentThreadAllocatedBytes();
-        Complaints.said(Language.RUSSIAN, UNKNOWN);
+        Complaints.translated(Language.RUSSIAN, UNKNOWN);
         long taken = threads.getCurrentThreadAllocatedBytes() - before;
         assertTrue(taken < MOST, taken + " bytes");
     }

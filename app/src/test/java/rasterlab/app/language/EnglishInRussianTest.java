@@ -31,7 +31,7 @@ class EnglishInRussianTest {
             refusals.addAll(refusals(Path.of("..", module, "src", "main", "java")));
         assertTrue(refusals.size() > 200, "only " + refusals.size() + " refusals were found");
         for (String english : refusals) {
-            String said = Complaints.said(Language.RUSSIAN, english);
+            String said = Complaints.translated(Language.RUSSIAN, english);
             if (RussianWords.mixed(said)) half.add(english + " -> " + said);
         }
         assertEquals(List.of(), half);

@@ -99,7 +99,7 @@ class OpenedLitSceneTest {
         assertEquals(4, opened.choice().body().scene().mesh().faceCount());
         assertEquals(
                 file + ": y is taken to point up; the chooser of the axis turns the model",
-                opened.told(file));
+                opened.notes(file));
         LightChoice again = OpenedLitScene.again(file, UpAxis.Y, before).choice();
         assertEquals("Pyramid.OBJ", again.body().name());
     }
@@ -213,7 +213,7 @@ class OpenedLitSceneTest {
         Path file = Files.writeString(folder.resolve("one.scene.json"), text);
         open(file);
         String problem = model.state().problem();
-        String said = Complaints.said(Language.RUSSIAN, problem);
+        String said = Complaints.translated(Language.RUSSIAN, problem);
         if (!part.equals("in 1")) assertTrue(said.contains(part), said);
         assertTrue(said.contains(file.toString()), said);
         assertNotEquals(problem, said);
@@ -278,7 +278,7 @@ class OpenedLitSceneTest {
         assertEquals(lamps, before.lamps().equals(opened.lamps()));
         assertEquals(material, before.material().equals(opened.material()));
         assertFalse(model.saved().isPresent());
-        String said = Complaints.said(Language.RUSSIAN, problem);
+        String said = Complaints.translated(Language.RUSSIAN, problem);
         assertFalse(Pattern.compile("of this lab|its own").matcher(said).find(), said);
     }
 

@@ -69,12 +69,12 @@ class OwnLightTest {
         return model.state().drawn().orElseThrow();
     }
 
-    private OwnRemarks told() {
+    private OwnRemarks remarks() {
         return drawn().own().orElseThrow();
     }
 
-    private String said(Language language) {
-        return told().in(Texts.of("light", language));
+    private String remarkText(Language language) {
+        return remarks().in(Texts.of("light", language));
     }
 
     private int[] pixels(int picture) {
@@ -85,8 +85,8 @@ class OwnLightTest {
     @ValueSource(strings = {"shade", "shade-face", "gouraud"})
     void theModelSolutionGivesTheRightLightAtEachPoint(String id) {
         show(id, "");
-        assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
-        assertTrue(told().of() > 200, said(Language.ENGLISH));
+        assertEquals("own.light.right", remarks().key(), remarkText(Language.ENGLISH));
+        assertTrue(remarks().of() > 200, remarkText(Language.ENGLISH));
         assertTrue(Arrays.equals(pixels(0), pixels(1)));
         assertFalse(Arrays.equals(pixels(1), pixels(2)));
     }
@@ -95,7 +95,7 @@ class OwnLightTest {
     @ValueSource(strings = {"shade", "shade-face"})
     void itIsTheLightThatTheFormulaShowsAtThePoint(String id) {
         show(id, "");
-        double[] mine = told().light().orElseThrow();
+        double[] mine = remarks().light().orElseThrow();
         double[] formula = drawn().point().orElseThrow().sum();
         for (int c = 0; c < 3; c++) assertEquals(formula[c], Math.min(1, mine[c]), 1e-6);
     }
@@ -105,7 +105,7 @@ class OwnLightTest {
         show("shade", "");
         model.choose(choice -> choice.withLamp(choice.lamp().withKind(Lamp.LampKind.SPOT)));
         settle();
-        assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
+        assertEquals("own.light.right", remarks().key(), remarkText(Language.ENGLISH));
     }
 
     @ParameterizedTest
@@ -121,14 +121,14 @@ class OwnLightTest {
                                                 Lamp.at(90, 40, 60)))
                                 .with(new LitBody("vase", 12, LitBody.OWN)));
         settle();
-        assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
+        assertEquals("own.light.right", remarks().key(), remarkText(Language.ENGLISH));
     }
 
     @Test
     void wrongLightIsCountedAndMarked() {
         show("shade", HALF);
-        assertEquals("own.light.off", told().key());
-        assertTrue(told().wrong() > 100 && told().worst() > 10, said(Language.ENGLISH));
+        assertEquals("own.light.off", remarks().key());
+        assertTrue(remarks().wrong() > 100 && remarks().worst() > 10, remarkText(Language.ENGLISH));
         assertFalse(Arrays.equals(pixels(0), pixels(1)));
     }
 
@@ -137,7 +137,7 @@ class OwnLightTest {
         show("shade", HALF);
         LightFrame.DrawnFrame all = drawn();
         OwnSteps steps = all.steps().orElseThrow();
-        assertEquals(told().of(), steps.count());
+        assertEquals(remarks().of(), steps.count());
         String first = steps.words(1, Texts.of("light", Language.ENGLISH));
         String said = " of " + steps.count() + ", face ";
         assertTrue(first.startsWith("Point 1" + said), first);
@@ -192,10 +192,11 @@ class OwnLightTest {
     void anEndlessOneIsStoppedWithAMessageBesideTheRightPicture() {
         show("shade", HALF.replace("return new double[] {0.5, 0.5, 0.5};", "while (true);"));
         assertEquals(
-                "Your program did not answer within 2 s and was stopped", said(Language.ENGLISH));
+                "Your program did not answer within 2 s and was stopped",
+                remarkText(Language.ENGLISH));
         assertEquals(
                 "Ваша программа не ответила за 2\u00a0с и была остановлена",
-                said(Language.RUSSIAN));
+                remarkText(Language.RUSSIAN));
         assertFalse(Arrays.equals(pixels(0), pixels(1)));
     }
 
@@ -203,13 +204,14 @@ class OwnLightTest {
     void aWrongNumberOfSharesIsTold() {
         show("shade", HALF.replace("{0.5, 0.5, 0.5}", "{0.5}"));
         assertEquals(
-                "Your program's answer has 1 value where 3 were asked for", said(Language.ENGLISH));
+                "Your program's answer has 1 value where 3 were asked for",
+                remarkText(Language.ENGLISH));
     }
 
     @Test
     void rightNormalsAreThoseThatTheExerciseAsksFor() {
         show("vertex-normals", "");
-        assertEquals("own.normals.right", told().key(), said(Language.ENGLISH));
+        assertEquals("own.normals.right", remarks().key(), remarkText(Language.ENGLISH));
         int[] mine = pixels(2);
         model.choose(choice -> choice.with(choice.body().withNormals("area")));
         settle();
@@ -231,11 +233,14 @@ class OwnLightTest {
                     }
                 }
                 """);
-        assertEquals("own.normals.off", told().key());
-        assertTrue(said(Language.ENGLISH).contains("At vertex 0 it has ("), said(Language.ENGLISH));
+        assertEquals("own.normals.off", remarks().key());
         assertTrue(
-                said(Language.RUSSIAN).contains("У вершины 0 получено ("), said(Language.RUSSIAN));
-        assertEquals(told().of(), told().wrong());
+                remarkText(Language.ENGLISH).contains("At vertex 0 it has ("),
+                remarkText(Language.ENGLISH));
+        assertTrue(
+                remarkText(Language.RUSSIAN).contains("У вершины 0 получено ("),
+                remarkText(Language.RUSSIAN));
+        assertEquals(remarks().of(), remarks().wrong());
         assertEquals(drawn().cornerArrows().length, drawn().rightArrows().length);
         assertFalse(Arrays.equals(drawn().cornerArrows(), drawn().rightArrows()));
     }
@@ -244,7 +249,7 @@ class OwnLightTest {
     void anotherProgramTakesTheOldOnesPlace() {
         show("shade", HALF);
         show("shade", "");
-        assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
+        assertEquals("own.light.right", remarks().key(), remarkText(Language.ENGLISH));
     }
 
     @Test

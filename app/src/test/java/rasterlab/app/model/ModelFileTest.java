@@ -109,7 +109,7 @@ class ModelFileTest {
         assertEquals(
                 told.isEmpty() ? 0 : 1,
                 notes.stream()
-                        .map(note -> Complaints.said(Language.RUSSIAN, note))
+                        .map(note -> Complaints.translated(Language.RUSSIAN, note))
                         .filter(
                                 said ->
                                         said.endsWith(
@@ -178,7 +178,7 @@ class ModelFileTest {
         assertEquals(1, notes.size(), notes::toString);
         assertTrue(notes.get(0).startsWith("a.mtl:3: "), notes::toString);
         assertTrue(notes.get(0).endsWith("; the colour Kd stands for it"), notes::toString);
-        String russian = Complaints.said(Language.RUSSIAN, notes.get(0));
+        String russian = Complaints.translated(Language.RUSSIAN, notes.get(0));
         assertTrue(russian.endsWith("; вместо текстуры цвет Kd"), russian);
     }
 
@@ -228,7 +228,8 @@ class ModelFileTest {
         assertEquals(note == null ? List.of() : List.of("a.mtl:5: " + note), told);
         for (String said : told)
             assertFalse(
-                    Complaints.said(Language.RUSSIAN, said).matches(".*\\b(the|has|was)\\b.*"),
+                    Complaints.translated(Language.RUSSIAN, said)
+                            .matches(".*\\b(the|has|was)\\b.*"),
                     said);
     }
 

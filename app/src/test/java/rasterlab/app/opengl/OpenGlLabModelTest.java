@@ -281,7 +281,7 @@ class OpenGlLabModelTest {
         assertEquals(pipe + ": is a device, pipe or socket, not a picture", problem);
         assertEquals(
                 pipe + ": это устройство, канал или сокет, а не изображение",
-                Complaints.said(Language.RUSSIAN, problem));
+                Complaints.translated(Language.RUSSIAN, problem));
     }
 
     /** The test takes every order of the two choices. */

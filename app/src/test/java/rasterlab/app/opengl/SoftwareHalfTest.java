@@ -136,7 +136,7 @@ class SoftwareHalfTest {
     @CsvSource({"1, true", "2, true", "3, false", "4, false"})
     void tellsWhatOpenGlLeavesOpen(String components, boolean open) {
         CommandAnswer said =
-                said(
+                answer(
                         words(
                                 "./lab opengl --set scene=globe --set texture-2d=on --set"
                                         + " env-mode=GL_DECAL --size 8x6 --set components="
@@ -152,7 +152,7 @@ class SoftwareHalfTest {
 
     @Test
     void helpListsEverySettingAndOption() {
-        String help = said(words("./lab help opengl")).out();
+        String help = answer(words("./lab help opengl")).out();
         String joined = help.replaceAll("\n {9,}", " ");
         for (Setting setting : Setting.values()) {
             String row = "\n  " + setting.code() + " ";
@@ -203,7 +203,7 @@ class SoftwareHalfTest {
     }
 
     private static String lab(List<String> words) {
-        CommandAnswer said = said(words);
+        CommandAnswer said = answer(words);
         return said.exit() == 0 ? "" : said.err();
     }
 
@@ -211,7 +211,7 @@ class SoftwareHalfTest {
         return new ArrayList<>(List.of(command.substring("./lab ".length()).split(" ")));
     }
 
-    private static CommandAnswer said(List<String> words) {
+    private static CommandAnswer answer(List<String> words) {
         var out = new ByteArrayOutputStream();
         var err = new ByteArrayOutputStream();
         int exit =

@@ -40,7 +40,7 @@ class TextEncodingTest {
                         + "; сохраните его в UTF-8: в VS Code щёлкните кодировку справа внизу и"
                         + " выберите «Сохранить с кодировкой», в IntelliJ IDEA щёлкните её и выберите"
                         + " «Convert», в Блокноте выберите «Сохранить как» и кодировку UTF-8",
-                Complaints.said(Language.RUSSIAN, refusal));
+                Complaints.translated(Language.RUSSIAN, refusal));
     }
 
     @ParameterizedTest(name = "{0} is taken for {1}")

@@ -102,7 +102,7 @@ class PolygonLabModelTest {
                 model.show(mode, hazard.name());
                 assertEquals(
                         expected(hazard.recorded().get(method)),
-                        said(outcome()),
+                        outcomeText(outcome()),
                         hazard.name() + ", " + method);
             }
     }
@@ -115,7 +115,7 @@ class PolygonLabModelTest {
         };
     }
 
-    private static String said(MethodOutcome outcome) {
+    private static String outcomeText(MethodOutcome outcome) {
         if (outcome.ending() != MethodOutcome.MethodEnding.ENDED) return outcome.ending().name();
         return outcome.isRight() ? "right" : "wrong";
     }

@@ -189,7 +189,7 @@ class GradedSheetTest {
                                                                     WalkText.input(
                                                                             question().input()),
                                                                     state.steps(),
-                                                                    state.told(),
+                                                                    state.givenFields(),
                                                                     state.wrong()))
                                                     .figures()
                                                     .isEmpty()));

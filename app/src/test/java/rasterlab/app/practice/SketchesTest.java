@@ -67,7 +67,7 @@ class SketchesTest {
                         new Walked(
                                 WalkText.input(question.input()),
                                 question.before(),
-                                question.told(),
+                                question.givenFields(),
                                 Optional.empty());
                 String place = topic + ", seed " + seed + ", question " + question.number();
                 check.check(question, Sketches.of(topic).orElseThrow().of(walked), place);
@@ -82,7 +82,7 @@ class SketchesTest {
                 (question, board, place) -> {
                     BoardFrame frame = BoardFrame.of(board, VIEW);
                     ObjectNode right = question.right();
-                    List<StagePick> picks = clicked(board, frame, right, question.told());
+                    List<StagePick> picks = clicked(board, frame, right, question.givenFields());
                     assertTrue(
                             picks.isEmpty()
                                     || picks.stream().anyMatch(pick -> isRight(pick, right)),
@@ -154,7 +154,8 @@ class SketchesTest {
             for (Question one : PRACTISED.sheet("triangulate", seed).sheet().questions()) {
                 JsonNode input = WalkText.input(one.input());
                 List<Point2D> corners = QuestionPoints.all(input.path("polygon"));
-                Walked walked = new Walked(input, one.before(), one.told(), Optional.empty());
+                Walked walked =
+                        new Walked(input, one.before(), one.givenFields(), Optional.empty());
                 List<List<Point2D>> drawn =
                         Sketches.of("triangulate").orElseThrow().of(walked).figures().stream()
                                 .filter(Board.BoardPath.class::isInstance)
@@ -207,13 +208,18 @@ class SketchesTest {
                     JsonNode input = WalkText.input(question.input());
                     Sketch sketch = Sketches.of(topic).orElseThrow();
                     Board without =
-                            sketch.of(new Walked(input, steps, question.told(), Optional.empty()));
+                            sketch.of(
+                                    new Walked(
+                                            input,
+                                            steps,
+                                            question.givenFields(),
+                                            Optional.empty()));
                     Board with =
                             sketch.of(
                                     new Walked(
                                             input,
                                             steps,
-                                            question.told(),
+                                            question.givenFields(),
                                             Optional.of(wrong(question.right()))));
                     BoardFrame frame = BoardFrame.of(with, VIEW);
                     assertEquals(BoardFrame.of(without, VIEW), frame, place);

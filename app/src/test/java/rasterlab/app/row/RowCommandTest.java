@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.coordinates.Answered;
+import rasterlab.app.coordinates.CommandOutput;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
@@ -73,7 +73,7 @@ class RowCommandTest {
         model.end();
         String end = "./lab run " + topic.name() + " " + method.name();
         assertTrue(command.endsWith(end), command);
-        JsonNode answer = Answered.by(command);
+        JsonNode answer = CommandOutput.of(command);
         double[] right = numbers(topic.record(method.implementation(), hazard.input(), 1 << 20));
         assertEquals(
                 DoubleStream.of(right).boxed().toList(),

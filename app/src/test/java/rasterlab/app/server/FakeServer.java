@@ -23,9 +23,9 @@ public final class FakeServer implements AutoCloseable {
     }
 
     /** A request: method, path with query, and the key that makes it repeatable. */
-    public record Asked(String method, String path, String key, String body) {}
+    public record ReceivedRequest(String method, String path, String key, String body) {}
 
-    public final List<Asked> asked = new CopyOnWriteArrayList<>();
+    public final List<ReceivedRequest> asked = new CopyOnWriteArrayList<>();
     private final Map<String, Answer> answers = new ConcurrentHashMap<>();
     private final ExecutorService threads = Executors.newCachedThreadPool();
     private final HttpServer server;
@@ -67,7 +67,7 @@ public final class FakeServer implements AutoCloseable {
         String body = new String(exchange.getRequestBody().readAllBytes(), StandardCharsets.UTF_8);
         String method = exchange.getRequestMethod();
         asked.add(
-                new Asked(
+                new ReceivedRequest(
                         method,
                         exchange.getRequestURI().toString(),
                         exchange.getRequestHeaders().getFirst("Idempotency-Key"),

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.line.LineRoom;
-import rasterlab.app.line.TriedSegment;
+import rasterlab.app.line.TrialSegment;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
 import rasterlab.engine.line.Segment;
@@ -76,9 +76,9 @@ class CaseOpeningTest {
                             Optional.of(new Plotted(drawn, false)));
             others.of(new LineRoom()).settle();
             answers.forEach(Runnable::run);
-            TriedSegment tried = others.of(new LineRoom()).state().drawings().tried().orElseThrow();
+            TrialSegment tried = others.of(new LineRoom()).state().drawings().tried().orElseThrow();
             assertEquals(
-                    new TriedSegment(
+                    new TrialSegment(
                             new Segment(1, 2, 3, 4),
                             "bresenham",
                             Optional.of(new Plotted(drawn, false))),

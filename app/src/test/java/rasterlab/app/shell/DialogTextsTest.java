@@ -31,18 +31,18 @@ class DialogTextsTest {
     void fileDialogsSpeakTheLanguage() {
         LabTheme.LIGHT.install();
         DialogTexts.install(Language.RUSSIAN);
-        List<String> russian = said(JFileChooser.SAVE_DIALOG);
+        List<String> russian = dialogTexts(JFileChooser.SAVE_DIALOG);
         assertTrue(russian.contains("Сохранить"), russian.toString());
         assertTrue(russian.contains("Имя файла:"), russian.toString());
         assertEquals(
                 List.of(), russian.stream().filter(text -> ENGLISH.matcher(text).find()).toList());
         DialogTexts.install(Language.ENGLISH);
-        List<String> english = said(JFileChooser.OPEN_DIALOG);
+        List<String> english = dialogTexts(JFileChooser.OPEN_DIALOG);
         assertTrue(english.contains("Open"), english.toString());
         assertTrue(english.contains("File name:"), english.toString());
     }
 
-    private static List<String> said(int type) {
+    private static List<String> dialogTexts(int type) {
         var chooser = new JFileChooser();
         chooser.setDialogType(type);
         var texts = new ArrayList<String>();

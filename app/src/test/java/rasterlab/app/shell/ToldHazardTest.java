@@ -44,19 +44,21 @@ class ToldHazardTest {
                 var russian = english.again(Language.RUSSIAN)) {
             Container before = english.named(tab).panel();
             ((JButton) named(before, "chip." + hazard)).doClick();
-            String said = said(before);
+            String said = hazardText(before);
             List<String> methods = methods(before);
             assertTrue(named(before, "hazard.strip").isVisible(), hazard);
             russian.goOnAs(english.doing());
             Container after = russian.named(tab).panel();
             assertTrue(named(after, "hazard.strip").isVisible(), hazard);
             assertEquals(methods, methods(after), "what fails there");
-            assertTrue(said(after).matches("(?s)«.*[а-яё].*"), said + " is now " + said(after));
+            assertTrue(
+                    hazardText(after).matches("(?s)«.*[а-яё].*"),
+                    said + " is now " + hazardText(after));
             assertTrue(((JButton) named(after, "chip." + hazard)).isSelected(), hazard);
         }
     }
 
-    private static String said(Container lab) {
+    private static String hazardText(Container lab) {
         return named(lab, "hazard.special").getAccessibleContext().getAccessibleName();
     }
 

@@ -80,25 +80,25 @@ class InputTextTest {
             }
         assertEquals(
                 "4 вершины, правило чётности, на изображении 8×6",
-                InputWords.said(RUSSIAN, "4 corners, EVEN_ODD, in 8×6 pixels"));
+                InputWords.translated(RUSSIAN, "4 corners, EVEN_ODD, in 8×6 pixels"));
         assertEquals(
                 "3 knots, not-a-knot ends, 2 places",
-                InputWords.said(ENGLISH, "3 knots, NOT_A_KNOT, 2 places"));
+                InputWords.translated(ENGLISH, "3 knots, NOT_A_KNOT, 2 places"));
     }
 
     @Test
     void countsStandBeforeTheRightForm() {
         assertEquals(
                 "1 polygon seen from [0.0]",
-                InputWords.said(ENGLISH, "1 polygons seen from [0.0]"));
+                InputWords.translated(ENGLISH, "1 polygons seen from [0.0]"));
         assertEquals(
                 "1 многоугольник из точки [0.0]",
-                InputWords.said(RUSSIAN, "1 polygons seen from [0.0]"));
+                InputWords.translated(RUSSIAN, "1 polygons seen from [0.0]"));
         assertEquals(
                 "22 многоугольника из точки [0.0]",
-                InputWords.said(RUSSIAN, "22 polygons seen from [0.0]"));
+                InputWords.translated(RUSSIAN, "22 polygons seen from [0.0]"));
         assertEquals(
                 "11 многоугольников из точки [0.0]",
-                InputWords.said(RUSSIAN, "11 polygons seen from [0.0]"));
+                InputWords.translated(RUSSIAN, "11 polygons seen from [0.0]"));
     }
 }

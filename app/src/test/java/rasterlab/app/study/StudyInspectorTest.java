@@ -136,7 +136,8 @@ class StudyInspectorTest {
                 model.choose(cell.hazard(), cell.method());
                 inspector.refresh();
                 String shown = shown(inspector);
-                assertTrue(shown.contains(VerdictDetail.said(Language.RUSSIAN, detail)), shown);
+                assertTrue(
+                        shown.contains(VerdictDetail.translated(Language.RUSSIAN, detail)), shown);
             }
         }
         assertEquals(List.of(), failures);

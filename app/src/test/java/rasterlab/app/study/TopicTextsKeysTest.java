@@ -23,7 +23,7 @@ class TopicTextsKeysTest {
         var others = new TreeSet<String>();
         for (Topic<?, ?, ?> topic : Topics.all())
             for (Method<?> method : topic.methods()) {
-                String failures = said(topic, Language.ENGLISH).about(method, "failures");
+                String failures = topicTexts(topic, Language.ENGLISH).about(method, "failures");
                 if (method.promisesToBeRight() != failures.startsWith("none known"))
                     others.add(topic.name() + " " + method.name() + ": " + failures);
             }
@@ -35,8 +35,8 @@ class TopicTextsKeysTest {
         var others = new TreeSet<String>();
         for (Topic<?, ?, ?> topic : Topics.all())
             for (Method<?> method : topic.methods()) {
-                String english = said(topic, Language.ENGLISH).about(method, "failures");
-                String failures = said(topic, Language.RUSSIAN).about(method, "failures");
+                String english = topicTexts(topic, Language.ENGLISH).about(method, "failures");
+                String failures = topicTexts(topic, Language.RUSSIAN).about(method, "failures");
                 if (english.contains("none known") && !failures.contains("не найдены"))
                     others.add(failures);
             }
@@ -51,13 +51,13 @@ class TopicTextsKeysTest {
             for (Language language : Language.values())
                 for (Method<?> method : topic.methods())
                     Stream.of("invariant", "cost", "failures")
-                            .map(part -> said(topic, language).about(method, part))
+                            .map(part -> topicTexts(topic, language).about(method, part))
                             .filter(text -> BEGINS_ANEW.matcher(text).lookingAt())
                             .forEach(broken::add);
         assertEquals(new TreeSet<>(), broken);
     }
 
-    private static TopicTexts said(Topic<?, ?, ?> topic, Language language) {
+    private static TopicTexts topicTexts(Topic<?, ?, ?> topic, Language language) {
         return TopicTexts.of(topic.name(), language);
     }
 }

@@ -169,7 +169,7 @@ class FileComplaintsTest {
         System.arraycopy(signature, 0, half, 0, signature.length);
         Path broken = Files.write(folder.resolve("half.png"), half);
         String said = SceneFiles.read(broken).problem();
-        assertTrue(Complaints.said(Language.RUSSIAN, said).contains("изображение"), said);
+        assertTrue(Complaints.translated(Language.RUSSIAN, said).contains("изображение"), said);
         for (String name : new String[] {"half.scene.json", "half.obj"}) {
             Path picture = Files.write(folder.resolve(name), half);
             String refused = SceneFiles.read(picture).problem();
@@ -205,7 +205,7 @@ class FileComplaintsTest {
     }
 
     private static void assertRussianPlace(Path file, String problem) {
-        String said = Complaints.said(Language.RUSSIAN, problem).replace(file.toString(), "");
+        String said = Complaints.translated(Language.RUSSIAN, problem).replace(file.toString(), "");
         String words = said.replaceAll("(?s)«.*?»|true|false|null|JSON", "");
         assertFalse(
                 Pattern.compile("[A-Za-z]{2}").matcher(words).find(),
@@ -248,7 +248,7 @@ class FileComplaintsTest {
 
     private void assertRussian(String problem) {
         assertFalse(problem.isEmpty(), "nothing is wrong with the file");
-        String said = Complaints.said(Language.RUSSIAN, problem);
+        String said = Complaints.translated(Language.RUSSIAN, problem);
         String words = said.replace(folder.toString(), "").replaceAll("(есть|известны) .*", "");
         assertFalse(ENGLISH.matcher(words).find(), problem + " → " + said);
         assertTrue(said.contains(folder.toString()), said);

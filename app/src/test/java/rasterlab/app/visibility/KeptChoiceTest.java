@@ -180,7 +180,7 @@ class KeptChoiceTest {
             assertEquals(file + ": no such file to read; the scene vase is shown instead", problem);
             assertEquals(
                     file + ": такого файла нет; вместо неё показана сцена vase",
-                    Complaints.said(Language.RUSSIAN, problem));
+                    Complaints.translated(Language.RUSSIAN, problem));
             assertEquals(OpenedFiles.NONE, next.keptFiles().kept());
         }
     }
@@ -255,10 +255,10 @@ class KeptChoiceTest {
             assertTrue(first.startsWith(broken + ":1"), first);
             assertFalse(first.contains("besides"), first);
             assertEquals(
-                    Complaints.said(Language.RUSSIAN, first)
+                    Complaints.translated(Language.RUSSIAN, first)
                             + "; кроме того, "
-                            + Complaints.said(Language.RUSSIAN, second),
-                    Complaints.said(Language.RUSSIAN, both));
+                            + Complaints.translated(Language.RUSSIAN, second),
+                    Complaints.translated(Language.RUSSIAN, both));
         }
     }
 
@@ -313,7 +313,7 @@ class KeptChoiceTest {
                 file
                         + ": увеличение должно быть в [0,25; 32], получено 99; вместо неё показана"
                         + " сцена vase",
-                Complaints.said(Language.RUSSIAN, problem));
+                Complaints.translated(Language.RUSSIAN, problem));
     }
 
     @Test
@@ -325,7 +325,7 @@ class KeptChoiceTest {
                         () -> new TextureEnvironment(TextureEnvironment.Mode.DECAL, 1, 0));
         assertEquals(
                 "режиму DECAL нужна текстура из 3 или 4 компонентов, получено 1",
-                Complaints.said(Language.RUSSIAN, refused.getMessage()));
+                Complaints.translated(Language.RUSSIAN, refused.getMessage()));
     }
 
     @Test
@@ -358,7 +358,7 @@ class KeptChoiceTest {
                     problem);
             assertEquals(
                     picture + ": такого файла нет; сцена wall.obj показана без изображения",
-                    Complaints.said(Language.RUSSIAN, problem));
+                    Complaints.translated(Language.RUSSIAN, problem));
         }
     }
 }

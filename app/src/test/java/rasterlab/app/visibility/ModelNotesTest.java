@@ -39,7 +39,7 @@ class ModelNotesTest {
                         + file
                         + ": y is taken to point up; the chooser of the axis turns the model",
                 answer.notes());
-        String russian = Complaints.said(Language.RUSSIAN, answer.notes());
+        String russian = Complaints.translated(Language.RUSSIAN, answer.notes());
         assertTrue(
                 russian.endsWith(
                         ":5: неизвестное «foo» пропущено; кроме того, другие примечания (1) сообщает"

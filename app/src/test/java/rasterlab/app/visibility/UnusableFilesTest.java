@@ -91,7 +91,7 @@ class UnusableFilesTest {
             assertTrue(problem.contains(file.toString()), problem);
             assertEquals(before, model.state().choice());
             assertFalse(model.history().undoable());
-            String russian = Complaints.said(Language.RUSSIAN, problem);
+            String russian = Complaints.translated(Language.RUSSIAN, problem);
             assertTrue(Pattern.compile("[а-яё]{3}").matcher(russian).find(), russian);
         }
         assertEquals(List.of(), failures);

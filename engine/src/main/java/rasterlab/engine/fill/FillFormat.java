@@ -31,7 +31,7 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
     private static final Field<int[]> SEED =
             Field.required(
                             "seed",
-                            Shape.told(
+                            Shape.described(
                                     Shape.wholes(2),
                                     Shape.list("whole numbers", Shape.whole(0, SIDE - 1), 2, 2)))
                     .as(FieldKind.SEED)

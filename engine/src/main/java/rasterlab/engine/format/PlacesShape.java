@@ -3,7 +3,9 @@ package rasterlab.engine.format;
 import java.io.IOException;
 import java.util.List;
 
-/** An array that is read as one shape and told place by place, as {@link ToldShape} is. */
+/**
+ * An array that is read as one shape and described place by place, as {@link DescribedShape} is.
+ */
 record PlacesShape<T>(Shape<T> read, List<Shape<?>> places) implements Shape<T> {
     @Override
     public T read(ValueSource in) throws IOException {

@@ -86,7 +86,7 @@ public interface Shape<T> {
 
     /** {@code count} whole numbers in the range of int. */
     static Shape<int[]> wholes(int count) {
-        return new WholesShape(count);
+        return new IntArrayShape(count);
     }
 
     /**
@@ -108,8 +108,8 @@ public interface Shape<T> {
      *
      * @param told of the values that are not refused
      */
-    static <T> Shape<T> told(Shape<T> shape, Shape<?> told) {
-        return new ToldShape<>(shape, told);
+    static <T> Shape<T> described(Shape<T> shape, Shape<?> told) {
+        return new DescribedShape<>(shape, told);
     }
 
     /**
@@ -117,13 +117,13 @@ public interface Shape<T> {
      *
      * @param places the shapes of all of them in their order
      */
-    static <T> Shape<T> toldByPlace(Shape<T> array, Shape<?>... places) {
+    static <T> Shape<T> describedByPlace(Shape<T> array, Shape<?>... places) {
         return new PlacesShape<>(array, List.of(places));
     }
 
     /** A shape such as {@code numbers(count, count)}, of which a schema says the range of each. */
-    static Shape<double[]> toldNumbers(int count, double least, double most) {
-        return told(numbers(count, count), list("numbers", number(least, most), count, count));
+    static Shape<double[]> boundedNumbers(int count, double least, double most) {
+        return described(numbers(count, count), list("numbers", number(least, most), count, count));
     }
 
     /** An object with these fields. */

@@ -54,7 +54,7 @@ public interface ValueSink {
      *
      * @param english as the engine says it
      */
-    default void said(String name, String english) throws IOException {
+    default void sentence(String name, String english) throws IOException {
         text(name, english);
     }
 

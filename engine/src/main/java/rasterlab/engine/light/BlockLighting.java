@@ -11,13 +11,13 @@ import rasterlab.engine.color.Levels;
  */
 public final class BlockLighting {
     /** The most points at once: their numbers stay in the first-level cache. */
-    public static final int SIZE = FallenLight.SIZE;
+    public static final int SIZE = IncidentLight.SIZE;
 
     private final LightModel model;
     private final Material front;
     private final PlacedLight[] lights;
     private final double[] eye;
-    private final FallenLight points = new FallenLight();
+    private final IncidentLight points = new IncidentLight();
 
     /** Light that falls on each point, channel by channel. */
     private final double[][] ambient = new double[3][SIZE];

@@ -40,7 +40,7 @@ public final class LightFormat {
     private static final Field<Double> EXPONENT =
             Field.optional(
                     "exponent",
-                    Shape.told(Shape.number(), Shape.number(0, SpotCone.HIGHEST_EXPONENT)));
+                    Shape.described(Shape.number(), Shape.number(0, SpotCone.HIGHEST_EXPONENT)));
     private static final Field<SpotCone> SPOT = Field.optional("spot", new Spot());
 
     public static final Field<SurfaceMaterial> MATERIAL = Field.required("material", new Surface());
@@ -83,7 +83,7 @@ public final class LightFormat {
          * @param told the highest share that is not refused
          */
         Shares(double highest, double told) {
-            super(Shape.toldNumbers(3, 0, told), Shape.number(0, told));
+            super(Shape.boundedNumbers(3, 0, told), Shape.number(0, told));
             gray = Shape.number(0, highest);
         }
 
@@ -158,7 +158,7 @@ public final class LightFormat {
     /** How a light weakens with its distance. */
     private static final class Terms extends MadeShape<double[], Attenuation> {
         Terms() {
-            super(Shape.toldNumbers(3, 0, Double.MAX_VALUE));
+            super(Shape.boundedNumbers(3, 0, Double.MAX_VALUE));
         }
 
         @Override

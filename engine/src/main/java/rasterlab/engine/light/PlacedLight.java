@@ -91,14 +91,14 @@ final class PlacedLight {
      * Finds what falls on each of many points, the same numbers: the factors of the source's
      * ambient, diffuse and specular shares.
      */
-    void fallOn(FallenLight points, Reflection reflection, double shininess) {
+    void fallOn(IncidentLight points, Reflection reflection, double shininess) {
         for (int i = 0; i < points.count; i++)
             if (directional) shine(points, i, x, y, z, 1, reflection);
             else fallFromNear(points, i, reflection);
         if (reflection != Reflection.LAMBERT) points.raise(shininess);
     }
 
-    private void fallFromNear(FallenLight points, int i, Reflection reflection) {
+    private void fallFromNear(IncidentLight points, int i, Reflection reflection) {
         double lx = x - points.x[i];
         double ly = y - points.y[i];
         double lz = z - points.z[i];
@@ -114,7 +114,7 @@ final class PlacedLight {
 
     /** The specular factor is still to be multiplied by the power of the cosine. */
     private static void shine(
-            FallenLight points,
+            IncidentLight points,
             int i,
             double lx,
             double ly,

@@ -85,7 +85,7 @@ final class ShapePlan {
                 changed |= least.faces() < full.get().faces();
                 any = true;
                 steps.addAll(List.of(least.u(), least.v()));
-                decisions.add(told(part, least, full.get()));
+                decisions.add(decision(part, least, full.get()));
             }
         }
         if (!changed || !any) return Optional.empty();
@@ -122,7 +122,7 @@ final class ShapePlan {
                 Reason.of("beyond", "all of it is beyond one side of the picture"));
     }
 
-    private PlanDecision told(ShapePart part, ShapeSteps least, ShapeSteps full) {
+    private PlanDecision decision(ShapePart part, ShapeSteps least, ShapeSteps full) {
         boolean same = least.faces() == full.faces();
         double moved = same ? 0 : (least.sag() + full.sag()) * pixelsPerUnit(part);
         double lit = same ? 0 : levels(least, part, full, pixelsPerUnit(part));

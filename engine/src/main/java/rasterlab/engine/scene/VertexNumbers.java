@@ -46,7 +46,7 @@ public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
     }
 
     private VertexNumbers() {
-        super(Shape.told(from(Integer.MIN_VALUE), from(0)));
+        super(Shape.described(from(Integer.MIN_VALUE), from(0)));
     }
 
     private static Shape<List<Integer>> from(int least) {

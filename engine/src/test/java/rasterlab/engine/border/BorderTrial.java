@@ -39,7 +39,7 @@ final class BorderTrial<C, I, O> {
             for (Method<C> method : List.copyOf(methods)) {
                 if (complaint(method, input.get(), right).isEmpty()) continue;
                 methods.remove(method);
-                found.add("seed " + at + ": " + told(method, draws.drawn()));
+                found.add("seed " + at + ": " + callText(method, draws.drawn()));
             }
         }
         return found;
@@ -127,7 +127,7 @@ final class BorderTrial<C, I, O> {
         return (O) reached.recorded();
     }
 
-    private String told(Method<C> method, List<Double> numbers) {
+    private String callText(Method<C> method, List<Double> numbers) {
         List<Double> few = Shrinking.shrunk(numbers, each -> wrong(method, each).isPresent());
         return "%s %s on %s of the numbers %s %s"
                 .formatted(

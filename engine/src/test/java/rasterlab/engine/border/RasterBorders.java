@@ -38,7 +38,7 @@ final class RasterBorders {
     private static Segment segment(Draws draws) {
         int x0 = draws.whole(Integer.MIN_VALUE, Integer.MAX_VALUE);
         int y0 = draws.whole(Integer.MIN_VALUE, Integer.MAX_VALUE);
-        if (draws.coin()) return new Segment(x0, y0, beside(draws, x0), beside(draws, y0));
+        if (draws.coin()) return new Segment(x0, y0, neighbour(draws, x0), neighbour(draws, y0));
         return new Segment(
                 x0,
                 y0,
@@ -46,7 +46,7 @@ final class RasterBorders {
                 draws.whole(Integer.MIN_VALUE, Integer.MAX_VALUE));
     }
 
-    private static int beside(Draws draws, int at) {
+    private static int neighbour(Draws draws, int at) {
         long other = (long) at + draws.pick(64) - 32;
         return (int) Math.max(Integer.MIN_VALUE, Math.min(Integer.MAX_VALUE, other));
     }

@@ -20,21 +20,23 @@ import rasterlab.engine.study.Topic;
 
 class SignMapTest {
     /** A topic that asks a question, by its name in messages. */
-    private record Asked(Topic<?, ?, ?> topic, SignSubject signs) {
+    private record SignRequest(Topic<?, ?, ?> topic, SignSubject signs) {
         @Override
         public String toString() {
             return topic.name();
         }
     }
 
-    static Stream<Asked> topics() {
+    static Stream<SignRequest> topics() {
         return Topics.all().stream()
-                .flatMap(topic -> SignSubject.of(topic).map(s -> new Asked(topic, s)).stream());
+                .flatMap(
+                        topic ->
+                                SignSubject.of(topic).map(s -> new SignRequest(topic, s)).stream());
     }
 
     @ParameterizedTest(name = "a method that promises to be right errs near its border: {0}")
     @MethodSource("topics")
-    void rightMethodsHaveNoWrongArea(Asked asked) {
+    void rightMethodsHaveNoWrongArea(SignRequest asked) {
         for (Method<?> method : asked.topic().methods()) {
             if (!method.promisesToBeRight()) continue;
             SignMap map = asked.signs().map(method.name());
@@ -44,7 +46,7 @@ class SignMapTest {
 
     @ParameterizedTest(name = "the point is far from the border: {0}")
     @MethodSource("topics")
-    void bothAnswersAreRightSomewhere(Asked asked) {
+    void bothAnswersAreRightSomewhere(SignRequest asked) {
         for (String method : asked.signs().methods()) {
             SignMap map = asked.signs().map(method);
             var seen = new ArrayList<Integer>();

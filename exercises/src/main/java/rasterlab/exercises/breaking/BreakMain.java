@@ -70,7 +70,7 @@ public final class BreakMain {
         for (MethodResult one : all) {
             out.writeUTF(one.method());
             out.writeUTF(one.kind().name());
-            Frames.write(out, one.said().data().getBytes(StandardCharsets.UTF_8));
+            Frames.write(out, one.message().data().getBytes(StandardCharsets.UTF_8));
         }
     }
 }

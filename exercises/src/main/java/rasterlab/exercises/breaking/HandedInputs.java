@@ -55,7 +55,7 @@ public record HandedInputs(List<String> inputs) {
                     Phrase.of(
                             "field.wrong",
                             Phrase.of("break.input"),
-                            Phrase.of("json.not", e.said())),
+                            Phrase.of("json.not", e.phrase())),
                     e);
         }
     }

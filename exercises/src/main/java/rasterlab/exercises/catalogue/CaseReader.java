@@ -83,7 +83,7 @@ final class CaseReader {
     }
 
     /** The contents of a case: its data, whether a seed draws it, and its property. */
-    private record Asked(String data, boolean generated, Optional<String> property) {}
+    private record CaseSource(String data, boolean generated, Optional<String> property) {}
 
     /** A case; empty where something is wrong, all of which is kept. */
     private Optional<Case> oneCase(JsonFields fields) {
@@ -101,7 +101,7 @@ final class CaseReader {
                 faults.tried(() -> Disclosure.valueOf(word(fields, "visibility", VISIBILITIES)));
         Optional<Integer> points =
                 faults.tried(() -> fields.integer("points", 0, Exercise.MOST_POINTS));
-        Optional<Asked> asked = faults.tried(() -> asked(fields));
+        Optional<CaseSource> asked = faults.tried(() -> asked(fields));
         if (asked.isPresent())
             visibility =
                     visibility.flatMap(one -> faults.tried(() -> seen(fields, asked.get(), one)));
@@ -127,7 +127,7 @@ final class CaseReader {
     }
 
     /** The visibility of a case; an open one is the same for everybody. */
-    private static Disclosure seen(JsonFields fields, Asked asked, Disclosure visibility) {
+    private static Disclosure seen(JsonFields fields, CaseSource asked, Disclosure visibility) {
         if (asked.generated() && visibility == Disclosure.OPEN)
             throw fields.wrong(
                     "visibility",
@@ -135,14 +135,15 @@ final class CaseReader {
         return visibility;
     }
 
-    private Asked asked(JsonFields fields) {
+    private CaseSource asked(JsonFields fields) {
         String field = askedField(fields);
         JsonFields all = fields.object(field, WITHIN.get(field));
-        if (field.equals("input")) return new Asked(scenes.given(all), false, Optional.empty());
+        if (field.equals("input"))
+            return new CaseSource(scenes.given(all), false, Optional.empty());
         String data = shapes.given(all, "holds");
         return field.equals("property")
-                ? new Asked(data, !all.has("seed"), Optional.of(property(all)))
-                : new Asked(data, true, Optional.empty());
+                ? new CaseSource(data, !all.has("seed"), Optional.of(property(all)))
+                : new CaseSource(data, true, Optional.empty());
     }
 
     /** The one field that says what a case asks for. */
@@ -189,7 +190,7 @@ final class CaseReader {
         try {
             topic.ifPresent(known -> known.calls(one, new ExerciseTolerance(false), 0));
         } catch (CatalogueException e) {
-            throw fields.wrong("", Phrase.of("field.unusable", e.said()));
+            throw fields.wrong("", Phrase.of("field.unusable", e.phrase()));
         }
     }
 

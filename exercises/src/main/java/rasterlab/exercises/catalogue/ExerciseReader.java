@@ -229,7 +229,7 @@ final class ExerciseReader {
         try {
             topic.timings(read, new Random(0), List.of());
         } catch (CatalogueException e) {
-            throw fields.wrong("", Phrase.of("field.unusable", e.said()));
+            throw fields.wrong("", Phrase.of("field.unusable", e.phrase()));
         }
     }
 

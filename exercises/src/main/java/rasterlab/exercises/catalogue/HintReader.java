@@ -107,7 +107,7 @@ final class HintReader {
             ends.add(heading.start());
             begins.add(heading.end());
         }
-        if (!found.equals(NUMBERS)) return wrong(file, told(found));
+        if (!found.equals(NUMBERS)) return wrong(file, foundPhrase(found));
         ends.add(text.length());
         int before = faults.all().size();
         if (!TITLE.matcher(text.substring(0, ends.get(0))).matches())
@@ -121,7 +121,7 @@ final class HintReader {
         return before == faults.all().size() ? Optional.of(steps) : Optional.empty();
     }
 
-    private static Phrase told(List<String> found) {
+    private static Phrase foundPhrase(List<String> found) {
         return found.isEmpty()
                 ? Phrase.of("hints.none")
                 : Phrase.of("hints.steps", "## " + String.join(", ## ", found));

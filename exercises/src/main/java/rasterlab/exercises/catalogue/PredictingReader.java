@@ -126,7 +126,7 @@ final class PredictingReader {
     private void check(JsonFields data, Question question) {
         List<String> known = new ArrayList<>();
         question.step().fieldNames().forEachRemaining(known::add);
-        for (String told : question.rules().told()) check(data, "told", known, told);
+        for (String told : question.rules().givenFields()) check(data, "told", known, told);
         for (PredictedField asked : question.rules().asked())
             check(data, "ask", known, asked.field());
         question.rules().reason().field().ifPresent(one -> check(data, "reason", known, one));

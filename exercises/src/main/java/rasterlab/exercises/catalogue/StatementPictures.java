@@ -82,7 +82,7 @@ final class StatementPictures {
                     : Optional.of(StatementPicture.of(name, folder.content(name)));
         } catch (CatalogueException e) {
             throw new CatalogueException(
-                    Phrase.of("folder.at", folder.place(statement), e.said()), e);
+                    Phrase.of("folder.at", folder.place(statement), e.phrase()), e);
         }
     }
 

@@ -100,7 +100,7 @@ public final class ContractCall {
         for (Object one : arguments) if (one instanceof SinkSheet sheet) sheet.writeTo(out);
         if (returnsValue()) {
             Values.write(method.getReturnType(), returned, out);
-            HeldArrays.write(returned, held, out);
+            ArrayAliases.write(returned, held, out);
         }
         byte[] after = values(arguments);
         boolean changed = !Arrays.equals(before, after);
@@ -121,7 +121,7 @@ public final class ContractCall {
         var in = new DataInputStream(new ByteArrayInputStream(bytes.toByteArray()));
         Object[] arguments = readArguments(in, most, Math.min(most, SinkSheet.USUAL));
         byte[] before = values(arguments);
-        List<Object> held = new HeldArrays().before(this, arguments);
+        List<Object> held = new ArrayAliases().before(this, arguments);
         Object returned = null;
         try {
             returned = invoke(implementation, arguments);
@@ -187,7 +187,7 @@ public final class ContractCall {
      * @param arrays that are held here; the answer's come to them
      * @throws IOException if the bytes are no answer
      */
-    public Done replay(DataInputStream in, Object[] arguments, HeldArrays arrays)
+    public Done replay(DataInputStream in, Object[] arguments, ArrayAliases arrays)
             throws IOException {
         List<Object> held = arrays.before(this, arguments);
         int items = 0;
@@ -196,7 +196,7 @@ public final class ContractCall {
                 items += SinkSheets.replay(given.get(i), in, arguments[i]);
         Object value = null;
         if (returnsValue()) {
-            value = HeldArrays.read(Values.read(method.getReturnType(), in), held, in);
+            value = ArrayAliases.read(Values.read(method.getReturnType(), in), held, in);
             arrays.after(this, value);
         }
         boolean spoilt = in.readBoolean() && !copied(in, arguments);

@@ -11,7 +11,7 @@ public final class MeasuredMethod implements InvocationHandler {
     private final ContractCalls contract;
     private final Object right;
     private final int items;
-    private final HeldArrays arrays = new HeldArrays();
+    private final ArrayAliases arrays = new ArrayAliases();
     private int longest;
     private long all;
 

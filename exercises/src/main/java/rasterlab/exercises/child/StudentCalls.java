@@ -14,7 +14,7 @@ import java.util.Map;
 final class StudentCalls {
     private final OutputStream parent;
     private final CappedOutput printed;
-    private final HeldArrays arrays = new HeldArrays();
+    private final ArrayAliases arrays = new ArrayAliases();
     private Object student;
     private ContractCalls contract;
     private List<Calling> callings = List.of();

@@ -66,7 +66,7 @@ final class TimedCalls {
         out.writeLong(sum.count());
         out.writeLong(sum.sum());
         out.writeLong(printed);
-        HeldArrays arrays = new HeldArrays();
+        ArrayAliases arrays = new ArrayAliases();
         int left = Wire.MOST_ANSWER_BYTES - ROOM;
         for (int i = from; i < to; i++) {
             byte[] answer =

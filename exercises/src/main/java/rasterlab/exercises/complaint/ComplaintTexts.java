@@ -161,7 +161,7 @@ public final class ComplaintTexts {
     }
 
     /** The sentence in that language. */
-    public static String said(Locale language, String english) {
+    public static String translated(Locale language, String english) {
         UnaryOperator<String> numbers = number -> NumberForm.of(number, language);
         return new ComplaintTexts(language, numbers, rounded(language)).inQuotes(english);
     }
@@ -204,16 +204,16 @@ public final class ComplaintTexts {
     }
 
     private String inSentence(String english) {
-        return NumberForm.powers(said(english).orElse(english), numbers);
+        return NumberForm.powers(translation(english).orElse(english), numbers);
     }
 
-    private Optional<String> said(String english) {
+    private Optional<String> translation(String english) {
         for (Sentence sentence : SENTENCES) {
             Matcher found = sentence.pattern.matcher(english);
             if (found.matches())
                 return sentence.pointed
-                        ? Optional.of(said(sentence, found))
-                        : pointed(english).or(() -> Optional.of(said(sentence, found)));
+                        ? Optional.of(filledIn(sentence, found))
+                        : pointed(english).or(() -> Optional.of(filledIn(sentence, found)));
         }
         return Optional.empty();
     }
@@ -224,11 +224,11 @@ public final class ComplaintTexts {
     private Optional<String> pointed(String english) {
         Matcher found = POINTED.matcher(english);
         return found.matches()
-                ? said(found.group(2)).map(said -> found.group(1) + said)
+                ? translation(found.group(2)).map(said -> found.group(1) + said)
                 : Optional.empty();
     }
 
-    private String said(Sentence sentence, Matcher found) {
+    private String filledIn(Sentence sentence, Matcher found) {
         String text =
                 sentence.topic.isEmpty()
                         ? translations.getString(sentence.key)
@@ -240,7 +240,7 @@ public final class ComplaintTexts {
                             String value = found.group(sentence.places.indexOf(number) + 1);
                             if (sentence.computed.contains(number)) value = computed.apply(value);
                             else if (!sentence.names.contains(number))
-                                value = said(value).orElse(numbers.apply(value));
+                                value = translation(value).orElse(numbers.apply(value));
                             return Matcher.quoteReplacement(place.group(1) + value);
                         });
     }

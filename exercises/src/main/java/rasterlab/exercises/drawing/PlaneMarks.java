@@ -39,16 +39,16 @@ final class PlaneMarks {
         double length = part.getP1().distance(part.getP2());
         if (length >= SHORT)
             for (double place : PLACES) if (set(g, at(part, place), isExtra)) return;
-        beside(g, at(part, PLACES[0]), direction(part, length), isExtra);
+        drawMark(g, at(part, PLACES[0]), direction(part, length), isExtra);
     }
 
     /** Marks a place that has no length, beside it. */
     void mark(Graphics2D g, Point2D place, boolean isExtra) {
-        beside(g, place, new Point2D.Double(1, 1), isExtra);
+        drawMark(g, place, new Point2D.Double(1, 1), isExtra);
     }
 
     /** Missing things have their mark on one side, extra ones on the other where there is room. */
-    private void beside(Graphics2D g, Point2D place, Point2D direction, boolean isExtra) {
+    private void drawMark(Graphics2D g, Point2D place, Point2D direction, boolean isExtra) {
         double x = -direction.getY();
         double y = direction.getX();
         for (double distance : new double[] {APART, 2 * APART, 3 * APART})

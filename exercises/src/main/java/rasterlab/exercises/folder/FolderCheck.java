@@ -40,7 +40,7 @@ public final class FolderCheck {
     public static List<Phrase> faults(Path folder) {
         FolderCheck check = new FolderCheck(folder);
         Catalogue.FolderReading read = Catalogue.read(folder);
-        read.faults().stream().map(CatalogueException::said).forEach(check.faults::add);
+        read.faults().stream().map(CatalogueException::phrase).forEach(check.faults::add);
         FolderParts parts = read.parts();
         check.checkTitles(parts.titles());
         parts.texts().forEach(check::checkHeading);
@@ -115,7 +115,7 @@ public final class FolderCheck {
 
     private void add(String file, Diagnostic one) {
         String place = one.line() == 0 ? file : file + ":" + one.line();
-        add(place, Phrase.of(one.said()));
+        add(place, Phrase.of(one.explanation()));
     }
 
     private void add(String file, Phrase reason) {

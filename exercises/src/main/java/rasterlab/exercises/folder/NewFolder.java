@@ -26,7 +26,7 @@ import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.judging.InputJson;
-import rasterlab.exercises.proving.TriedMethod;
+import rasterlab.exercises.proving.GradedMethod;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
@@ -100,7 +100,7 @@ public final class NewFolder {
     }
 
     private boolean isRightForNothing(TopicGrading.GradedCall call) {
-        return call.check(TriedMethod.answer(call, Nothing.of(grading.contract()))).right();
+        return call.check(GradedMethod.answer(call, Nothing.of(grading.contract()))).right();
     }
 
     /**
@@ -206,7 +206,7 @@ public final class NewFolder {
     /** Whether the mistake is told by its name on a hazard that is there for another one. */
     private boolean tells(String hazard, Mutant<?> mistake) {
         return calls(hazard).stream()
-                .map(call -> call.check(TriedMethod.answer(call, mistake.implementation())))
+                .map(call -> call.check(GradedMethod.answer(call, mistake.implementation())))
                 .flatMap(finding -> finding.explanations().stream())
                 .anyMatch(causes -> Cause.codes(causes).contains(mistake.name()));
     }

@@ -23,7 +23,8 @@ public final class Faults {
     /** Keeps a fault, which may be found twice where a field is read twice. */
     public void keep(CatalogueException fault) {
         for (CatalogueException each : fault.all())
-            if (found.stream().noneMatch(one -> one.said().equals(each.said()))) found.add(each);
+            if (found.stream().noneMatch(one -> one.phrase().equals(each.phrase())))
+                found.add(each);
     }
 
     public void checked(Runnable check) {

@@ -206,7 +206,7 @@ public final class JsonFields {
             try {
                 return JsonText.tree(json);
             } catch (NotJson e) {
-                throw wrong(place, Phrase.of("json.not", e.said()), e);
+                throw wrong(place, Phrase.of("json.not", e.phrase()), e);
             }
         }
 

@@ -15,7 +15,7 @@ public final class NotJson extends Exception {
     }
 
     /** The place and what is wrong there, such as "line 3, column 8: expected a comma or }". */
-    public Phrase said() {
+    public Phrase phrase() {
         return said;
     }
 

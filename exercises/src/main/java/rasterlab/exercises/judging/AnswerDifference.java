@@ -19,7 +19,7 @@ final class AnswerDifference {
     /** The first part of an answer that differs, and how far all of it is from right. */
     static <C, I, O> Message of(Topic<C, I, O> topic, I input, O exact, O actual) {
         if (exact instanceof PixelRecording right && actual instanceof PixelRecording mine)
-            return new PixelErrors(right, mine).said();
+            return new PixelErrors(right, mine).message();
         String first = topic.compare(input, exact, actual).first();
         boolean free = OF_MANY_ANSWERS.contains(topic.name()) || isFlattening(input);
         return free && !first.isEmpty()

@@ -26,11 +26,11 @@ final class ArcDecision {
         long[] apart = apart(input, at);
         long u = Math.min(apart[0], apart[1]);
         Pixel last = pixel(steps.get(steps.size() - 1));
-        if (u > last.x()) return Decisions.said("circle", "end", last);
-        if (u == 0) return Decisions.said("circle", "start", pixel(steps.get(0)));
+        if (u > last.x()) return Decisions.message("circle", "end", last);
+        if (u == 0) return Decisions.message("circle", "start", pixel(steps.get(0)));
         JsonNode before = steps.get((int) u - 1);
         Pixel next = pixel(steps.get((int) u));
-        return Decisions.said(
+        return Decisions.message(
                 "circle",
                 next.y() == pixel(before).y() ? "stays" : "falls",
                 pixel(before),
@@ -64,7 +64,7 @@ final class ArcDecision {
     }
 
     private static Message onEllipse(JsonNode step) {
-        return Decisions.said(
+        return Decisions.message(
                 "ellipse",
                 isOfColumn(step) ? "column" : "row",
                 pixel(step),

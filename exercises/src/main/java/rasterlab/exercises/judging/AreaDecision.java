@@ -23,7 +23,7 @@ final class AreaDecision {
         Optional<JsonNode> run =
                 ofRow(steps, at).stream().filter(one -> holds(one, at)).findFirst();
         if (run.isPresent())
-            return Decisions.said(
+            return Decisions.message(
                     "fill",
                     "run",
                     at.y(),
@@ -33,7 +33,7 @@ final class AreaDecision {
         int seed =
                 at(input, input.path("seed").path(0).asInt(), input.path("seed").path(1).asInt());
         if (seed == input.path("with").asText().codePointAt(0)) return Message.NONE;
-        return Decisions.said("fill", at(input, at.x(), at.y()) == seed ? "apart" : "wall", at);
+        return Decisions.message("fill", at(input, at.x(), at.y()) == seed ? "apart" : "wall", at);
     }
 
     /** The character of a pixel; −1 beside the picture. */
@@ -45,8 +45,8 @@ final class AreaDecision {
     static Message onPolygon(JsonNode input, Pixel at) {
         List<JsonNode> steps = Walk.of("polygon-fill", "scanline", input.toString()).steps();
         List<JsonNode> runs = ofRow(steps, at);
-        if (runs.isEmpty()) return Decisions.said("polygon-fill", "empty", at.y());
-        return Decisions.said(
+        if (runs.isEmpty()) return Decisions.message("polygon-fill", "empty", at.y());
+        return Decisions.message(
                 "polygon-fill",
                 "runs",
                 at.y(),

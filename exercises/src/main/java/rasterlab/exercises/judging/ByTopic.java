@@ -160,7 +160,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     /** Tells what such a method is known to do wrong, and its name. */
-    final Message told(String method) {
+    final Message knownFault(String method) {
         return Message.of(knownMethod(), method, "faults." + topic.name() + "." + method);
     }
 
@@ -170,11 +170,11 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     /** The item that is told to differ; empty where none is that a method decides on. */
-    protected Optional<Differing> differing(I input, O right, O actual, Message said) {
+    protected Optional<DifferingItem> differing(I input, O right, O actual, Message said) {
         if (right instanceof PixelRecording wanted && actual instanceof PixelRecording drawn)
-            return new PixelErrors(wanted, drawn).first().map(Differing::at);
+            return new PixelErrors(wanted, drawn).first().map(DifferingItem::at);
         return said.place()
-                .flatMap(at -> Differing.at(at, json(input, right), json(input, actual)));
+                .flatMap(at -> DifferingItem.at(at, json(input, right), json(input, actual)));
     }
 
     /**
@@ -182,7 +182,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
      *
      * @param right the right one that is nearest to it
      */
-    protected O beside(I input, O right, O actual, Demand demand, List<List<Cause>> causes) {
+    protected O shownRight(I input, O right, O actual, Demand demand, List<List<Cause>> causes) {
         return right;
     }
 

@@ -45,12 +45,12 @@ final class ClipDecision {
                 "clip-segment",
                 index,
                 isLeft(right, index),
-                beside(window, ends[0], ends[1]),
-                beside(window, ends[2], ends[3]));
+                distances(window, ends[0], ends[1]),
+                distances(window, ends[2], ends[3]));
     }
 
     /** How far a point is within each side: left, right, bottom, top. */
-    private static double[] beside(double[] window, double x, double y) {
+    private static double[] distances(double[] window, double x, double y) {
         return new double[] {x - window[0], window[2] - x, y - window[1], window[3] - y};
     }
 
@@ -98,7 +98,7 @@ final class ClipDecision {
                         .allMatch(one -> one >= 0);
         String kind = inside ? "inside" : shared ? "beyond" : enters <= leaves ? "cut" : "past";
         if (isLeft != (inside || kind.equals("cut"))) return Message.NONE;
-        return Decisions.said(
+        return Decisions.message(
                 topic, kind, index + 1, code(start), code(end), number(enters), number(leaves));
     }
 
@@ -124,18 +124,18 @@ final class ClipDecision {
                             .mapToObj(corner -> corner + 1)
                             .toList();
             if (outside.size() == polygon.size())
-                return Decisions.said("clip-polygon", "outside", i + 1);
-            beyond.add(told(outside, polygon.size()));
+                return Decisions.message("clip-polygon", "outside", i + 1);
+            beyond.add(cornersText(outside, polygon.size()));
         }
         return beyond.stream().allMatch(NO_CORNER::equals)
-                ? Decisions.said("clip-polygon", "inside")
-                : Decisions.said(
+                ? Decisions.message("clip-polygon", "inside")
+                : Decisions.message(
                         "clip-polygon",
                         polygon.size() <= FEW ? "beyond" : "counted",
                         String.join("; ", beyond));
     }
 
-    private static String told(List<Integer> corners, int all) {
+    private static String cornersText(List<Integer> corners, int all) {
         if (corners.isEmpty()) return NO_CORNER;
         if (all > FEW) return String.valueOf(corners.size());
         return corners.stream().map(String::valueOf).collect(joining(", "));

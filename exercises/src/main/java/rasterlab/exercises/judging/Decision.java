@@ -12,7 +12,7 @@ interface Decision {
      * @param input a JSON object, as {@code ./lab run} takes it
      * @param right the right answer to it
      */
-    Message on(JsonNode input, JsonNode right, Differing at);
+    Message on(JsonNode input, JsonNode right, DifferingItem at);
 
     /** The decision on a pixel, of a method that decides on such. */
     static Decision onPixel(OnPixel decision) {

@@ -36,7 +36,7 @@ final class Decisions {
      * @param input a JSON object, as {@code ./lab run} takes it
      * @param right the right answer to it
      */
-    static Message of(String topic, JsonNode input, JsonNode right, Differing at) {
+    static Message of(String topic, JsonNode input, JsonNode right, DifferingItem at) {
         Decision decision = BY_TOPIC.get(topic);
         if (decision == null) return Message.NONE;
         try {
@@ -47,7 +47,7 @@ final class Decisions {
     }
 
     /** The sentence of that key in the topic's words. */
-    static Message said(String topic, String key, Object... arguments) {
+    static Message message(String topic, String key, Object... arguments) {
         return Message.of("decided." + topic + "." + key, arguments);
     }
 

@@ -22,13 +22,13 @@ final class DepthDecision {
                         .filter(one -> one.path("x").asInt() == at.x())
                         .filter(one -> one.path("y").asInt() == at.y())
                         .toList();
-        if (steps.isEmpty()) return Decisions.said(TOPIC, "uncovered", at);
+        if (steps.isEmpty()) return Decisions.message(TOPIC, "uncovered", at);
         int shown = shown(right, at);
         return steps.stream()
                 .filter(one -> one.path("triangle").asInt() == shown)
                 .findFirst()
-                .map(one -> said("written", one, at))
-                .orElseGet(() -> said("kept", steps.get(steps.size() - 1), at));
+                .map(one -> message("written", one, at))
+                .orElseGet(() -> message("kept", steps.get(steps.size() - 1), at));
     }
 
     /** The triangle that the right answer shows there; 0 where it shows none. */
@@ -40,8 +40,8 @@ final class DepthDecision {
                 .orElse(0);
     }
 
-    private static Message said(String key, JsonNode step, Pixel at) {
-        return Decisions.said(
+    private static Message message(String key, JsonNode step, Pixel at) {
+        return Decisions.message(
                 TOPIC,
                 key,
                 at,

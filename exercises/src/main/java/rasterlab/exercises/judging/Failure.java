@@ -28,9 +28,9 @@ public final class Failure {
             case RETURNED, UNUSABLE ->
                     Finding.of(
                             GradingVerdict.WRONG,
-                            answer.said().isEmpty()
+                            answer.explanation().isEmpty()
                                     ? Message.of("answer.unusable", answer.message())
-                                    : answer.said(),
+                                    : answer.explanation(),
                             List.of(
                                     List.of(
                                             new Cause(

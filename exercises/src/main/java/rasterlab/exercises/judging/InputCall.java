@@ -105,7 +105,7 @@ final class InputCall<C, I, O> implements GradedCall {
                 idle.map(one -> List.of(List.of(one)))
                         .orElseGet(() -> own.isEmpty() ? known.of(actual) : own);
         if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
-        O beside = grading.beside(input, right, actual, demand, causes);
+        O beside = grading.shownRight(input, right, actual, demand, causes);
         Message differs =
                 refusal()
                         .map(why -> Message.of("refusal.wanted", why))
@@ -115,7 +115,7 @@ final class InputCall<C, I, O> implements GradedCall {
         boolean sure =
                 idle.isPresent() || !own.isEmpty() || known.areOne(causes) && !areChanges(causes);
         List<Cause> told = sure ? causes.get(0) : List.of();
-        for (Cause one : told) said = said.and(one.said());
+        for (Cause one : told) said = said.and(one.message());
         if (told.isEmpty()) said = said.and(AnswerDifference.kind(beside, actual));
         if (idle.isPresent())
             return new Finding(
@@ -147,13 +147,14 @@ final class InputCall<C, I, O> implements GradedCall {
 
     /** Tells the value by which a right method decides on the item that is told to differ. */
     private Message decided(O right, O actual, Message differs) {
-        Differing at = grading.differing(input, right, actual, differs).orElse(Differing.WHOLE);
+        DifferingItem at =
+                grading.differing(input, right, actual, differs).orElse(DifferingItem.WHOLE);
         return Decisions.of(topic().name(), input(), grading.json(input, right), at);
     }
 
     /** A method that gives the same answer; its faults too, where they alone explain it. */
     private Message alike(String method, List<Cause> told) {
-        return told.isEmpty() ? grading.told(method) : Message.of("known-fault", method);
+        return told.isEmpty() ? grading.knownFault(method) : Message.of("known-fault", method);
     }
 
     @Override

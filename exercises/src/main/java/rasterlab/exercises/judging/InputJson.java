@@ -25,7 +25,7 @@ public final class InputJson {
      * what is not told outside.
      */
     public static List<JsonNode> singles(Topic<?, ?, ?> topic, String hazard) {
-        return told(topic, hazard);
+        return hazardInputs(topic, hazard);
     }
 
     /** Whether a hazard can be told as one such input. */
@@ -37,7 +37,7 @@ public final class InputJson {
         return !written(topic.format(), input(topic, hazard)).isMissingNode();
     }
 
-    private static <C, I> List<JsonNode> told(Topic<C, I, ?> topic, String hazard) {
+    private static <C, I> List<JsonNode> hazardInputs(Topic<C, I, ?> topic, String hazard) {
         return topic.format().singles(input(topic, hazard)).stream()
                 .map(one -> written(topic.format(), one))
                 .filter(one -> !one.isMissingNode())

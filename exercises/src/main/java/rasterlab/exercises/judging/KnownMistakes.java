@@ -71,7 +71,7 @@ final class KnownMistakes<C, I, O> {
         for (Method<C> one : topic.methods())
             if (one.faulty()
                     && kept("method " + one.name(), one.implementation()).filter(same).isPresent())
-                found.add(List.of(new Cause(one.name(), grading.told(one.name()))));
+                found.add(List.of(new Cause(one.name(), grading.knownFault(one.name()))));
         if (found.isEmpty()) found.addAll(slips(same));
         return found.isEmpty() ? changes(actual) : found;
     }

@@ -128,7 +128,7 @@ final class Leaves {
             return Message.of("answer.again", deviation.extra());
         Message said =
                 right.firstUnlike(mine)
-                        .map(place -> right.said(topic.name(), place, mine))
+                        .map(place -> right.message(topic.name(), place, mine))
                         .orElse(Message.of("answer.differs"));
         String key = "answer.worst." + topic.errorUnit().replace(' ', '-');
         boolean measured = deviation.worst() > 0 && Double.isFinite(deviation.worst());
@@ -148,7 +148,7 @@ final class Leaves {
         return fitting.firstUnlike(mine)
                 .map(
                         place -> {
-                            String[] two = told(mine.at(place), fitting.at(place));
+                            String[] two = distinctTexts(mine.at(place), fitting.at(place));
                             String key = "answer.at.unfit";
                             if (two[0].equals(NONE)) key = "answer.at.unfit-missing";
                             if (two[1].equals(NONE)) key = "answer.at.unfit-extra";
@@ -215,19 +215,19 @@ final class Leaves {
      * Says what another answer has at a place, and what is right there. The topic comes last, so
      * that the place can be put into words.
      */
-    private Message said(String topic, String place, Leaves mine) {
+    private Message message(String topic, String place, Leaves mine) {
         String right = at(place);
         String given = mine.at(place);
         if (right.equals(NONE))
             return Message.of("answer.at.extra", place, shortened(given), topic);
         if (given.equals(NONE))
             return Message.of("answer.at.missing", place, shortened(right), topic);
-        String[] two = told(given, right);
+        String[] two = distinctTexts(given, right);
         return Message.of("answer.at", place, two[0], two[1], topic);
     }
 
     /** Two values in as many digits as tell them apart. */
-    private static String[] told(String one, String other) {
+    private static String[] distinctTexts(String one, String other) {
         for (int digits = FEW; digits < ALL; digits += 3) {
             String[] two = {rounded(one, digits), rounded(other, digits)};
             if (!two[0].equals(two[1])) return two;

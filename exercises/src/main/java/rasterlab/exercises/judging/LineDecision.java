@@ -31,7 +31,8 @@ final class LineDecision {
         boolean alongX = Math.abs((long) to.x() - from.x()) >= Math.abs((long) to.y() - from.y());
         Optional<Integer> right = index(steps, at, alongX);
         if (right.isEmpty()) return beyond(steps, from, to);
-        if (pixel(steps.get(right.get())).equals(from)) return Decisions.said(TOPIC, "start", from);
+        if (pixel(steps.get(right.get())).equals(from))
+            return Decisions.message(TOPIC, "start", from);
         if (right.get() == 0) return Message.NONE;
         JsonNode before = steps.get(right.get() - 1);
         return step(before, pixel(before), pixel(steps.get(right.get())), alongX);
@@ -39,7 +40,7 @@ final class LineDecision {
 
     private static Message step(JsonNode decided, Pixel before, Pixel next, boolean alongX) {
         boolean across = alongX ? before.y() != next.y() : before.x() != next.x();
-        return Decisions.said(
+        return Decisions.message(
                 TOPIC,
                 across ? "across" : "along",
                 before,
@@ -59,8 +60,8 @@ final class LineDecision {
     /** A pixel beside an end, where nothing is to be drawn any more. */
     private static Message beyond(List<JsonNode> steps, Pixel from, Pixel to) {
         List<Pixel> near = steps.stream().map(LineDecision::pixel).toList();
-        if (near.contains(to)) return Decisions.said(TOPIC, "end", to);
-        return near.contains(from) ? Decisions.said(TOPIC, "start", from) : Message.NONE;
+        if (near.contains(to)) return Decisions.message(TOPIC, "end", to);
+        return near.contains(from) ? Decisions.message(TOPIC, "start", from) : Message.NONE;
     }
 
     private static int within(long coordinate) {

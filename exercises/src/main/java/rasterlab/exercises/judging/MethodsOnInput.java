@@ -108,9 +108,9 @@ public final class MethodsOnInput<C, I, O> {
     /**
      * The outcome of one method.
      *
-     * @param said what is wrong with its answer, or why there is none; nothing where it is exact
+     * @param message what is wrong with its answer, or why there is none; nothing where it is exact
      */
-    public record MethodResult(String method, Verdict.Kind kind, Message said) {
+    public record MethodResult(String method, Verdict.Kind kind, Message message) {
         /** Whether it gave an answer that is not exact, or none without saying why. */
         public boolean failed() {
             return kind != Verdict.Kind.EXACT && kind != Verdict.Kind.REFUSED;

@@ -24,7 +24,7 @@ final class PixelErrors {
     }
 
     /** The difference from the right answer; empty where they are the same. */
-    Message said() {
+    Message message() {
         Message said =
                 counted("pixel.missing", difference.missing())
                         .and(counted("pixel.extra", difference.extra()))
@@ -56,7 +56,7 @@ final class PixelErrors {
             return Message.of("pixel.unfit-missing", first(difference.missing()));
         if (!difference.extra().isEmpty())
             return Message.of("pixel.unfit-extra", first(difference.extra()));
-        return said();
+        return message();
     }
 
     /** The number of several, and one of them. */

@@ -64,9 +64,9 @@ final class PropertyCall<C, I, O> implements GradedCall {
      * @param complete whether the further inputs could be made of the first answer
      */
     private record Answers<I, O>(
-            AnsweredInput<I, O> first, List<AnsweredInput<I, O>> beside, boolean complete) {
+            AnsweredInput<I, O> first, List<AnsweredInput<I, O>> further, boolean complete) {
         Stream<AnsweredInput<I, O>> all() {
-            return Stream.concat(Stream.of(first), beside.stream());
+            return Stream.concat(Stream.of(first), further.stream());
         }
     }
 
@@ -96,7 +96,7 @@ final class PropertyCall<C, I, O> implements GradedCall {
         var first = new AnsweredInput<>(input, topic().record(whole, input, most));
         List<I> further;
         try {
-            further = property.relation().beside(input, first.output());
+            further = property.relation().furtherInputs(input, first.output());
         } catch (IllegalArgumentException noInput) {
             return new Answers<>(first, List.of(), false);
         }
@@ -148,7 +148,12 @@ final class PropertyCall<C, I, O> implements GradedCall {
         InputCall<C, I, O> alone = alone(wrong.get().input());
         Answer its = answer(wrong.get());
         return whole.map(
-                        judge -> told(got.get(), broken, wrong.get().input(), judge.of(alone, its)))
+                        judge ->
+                                finding(
+                                        got.get(),
+                                        broken,
+                                        wrong.get().input(),
+                                        judge.of(alone, its)))
                 .orElseGet(() -> alone.check(its));
     }
 
@@ -162,7 +167,7 @@ final class PropertyCall<C, I, O> implements GradedCall {
 
     private Optional<Broken<I, O>> broken(Answers<I, O> got) {
         return got.complete()
-                ? property.relation().broken(got.first(), got.beside(), this::isAlike)
+                ? property.relation().broken(got.first(), got.further(), this::isAlike)
                 : Optional.empty();
     }
 
@@ -194,20 +199,21 @@ final class PropertyCall<C, I, O> implements GradedCall {
      * @param mine the input whose answer is wrong
      * @param wrong what is told of it alone
      */
-    private Finding told(Answers<I, O> got, Optional<Broken<I, O>> broken, I mine, Finding wrong) {
+    private Finding finding(
+            Answers<I, O> got, Optional<Broken<I, O>> broken, I mine, Finding wrong) {
         if (broken.isEmpty())
             return new Finding(
                     GradingVerdict.WRONG,
-                    Message.of("property.by-wrong").and(wrong.said()),
+                    Message.of("property.by-wrong").and(wrong.message()),
                     wrong.pictures(),
                     wrong.explanations());
         I other = broken.get().answered().input();
         Optional<O> wanted = broken.get().wanted();
         O output = broken.get().answered().output();
         Message broke = property.broken().and(counterexample(other));
-        Message unfit = wanted.map(one -> unfit(other, one, output)).orElse(broken.get().said());
+        Message unfit = wanted.map(one -> unfit(other, one, output)).orElse(broken.get().message());
         Message which = whichIsWrong(mine, other);
-        Message itself = which.isEmpty() ? without(unfit, wrong.said()) : wrong.said();
+        Message itself = which.isEmpty() ? without(unfit, wrong.message()) : wrong.message();
         Message said = BriefMessage.of(broke, unfit, property.rule(), which, itself);
         return new Finding(GradingVerdict.WRONG, said, wrong.pictures(), wrong.explanations());
     }

@@ -43,7 +43,7 @@ final class TruthDecision {
     private static Message face(JsonNode step, boolean visible) {
         double value = step.path("decision").asDouble();
         if (value > 0 != visible) return Message.NONE;
-        return Decisions.said(
+        return Decisions.message(
                 "visible-faces",
                 visible ? "visible" : "hidden",
                 Decisions.number(step.path("decision")));
@@ -56,7 +56,7 @@ final class TruthDecision {
                         .collect(joining(", ", "(", ")"));
         boolean flat = sides.stream().allMatch(one -> one.path("decision").asDouble() == 0);
         String key = inside ? "inside" : flat ? "flat" : "outside";
-        return Decisions.said("point-in-triangle", key, signs);
+        return Decisions.message("point-in-triangle", key, signs);
     }
 
     private static Message polygon(List<JsonNode> edges, boolean inside) {
@@ -64,9 +64,9 @@ final class TruthDecision {
         JsonNode last = edges.get(edges.size() - 1);
         int count = last.path("count").asInt();
         if (inside == (count % 2 == 1))
-            return Decisions.said("point-in-polygon", inside ? "inside" : "outside", count);
+            return Decisions.message("point-in-polygon", inside ? "inside" : "outside", count);
         return inside
-                ? Decisions.said("point-in-polygon", "border", last.path("edge").asInt() + 1)
+                ? Decisions.message("point-in-polygon", "border", last.path("edge").asInt() + 1)
                 : Message.NONE;
     }
 }

@@ -122,8 +122,8 @@ public final class Marking {
      */
     public Message shared() {
         var cause = new SharedCause(cases);
-        return idle.map(one -> Message.of("cause.shared").and(one.said()).and(cause.only()))
-                .orElseGet(cause::said);
+        return idle.map(one -> Message.of("cause.shared").and(one.message()).and(cause.only()))
+                .orElseGet(cause::message);
     }
 
     /**
@@ -136,7 +136,7 @@ public final class Marking {
             Finding finding = shown.computeIfAbsent(wrong.get(), this::shown);
             Message only =
                     suspects.filter(any -> idle.isEmpty())
-                            .map(one -> one.only(wrong.get(), finding.said()))
+                            .map(one -> one.only(wrong.get(), finding.message()))
                             .orElse(Message.NONE);
             return report(tried.one(), finding.and(only), wrong.get().scene());
         }
@@ -167,7 +167,7 @@ public final class Marking {
                 finding.verdict(),
                 finding.right() ? one.points() : 0,
                 one.points(),
-                finding.said(),
+                finding.message(),
                 finding.pictures(),
                 scene);
     }

@@ -44,36 +44,36 @@ final class SharedCause {
      * The sentence on a shared mistake; nothing where the failures share none, or where the one
      * failure tells its mistake itself.
      */
-    Message said() {
+    Message message() {
         if (wrong.isEmpty()) return Message.NONE;
         Optional<Cause> change = new ChangedAnswers(cases).only();
         if (change.isPresent())
             return wrong.size() < 2
                     ? Message.NONE
                     : Message.of("cause.shared")
-                            .and(change.get().said())
+                            .and(change.get().message())
                             .and(example().orElse(Message.NONE));
         List<Cause> known = known();
         List<Cause> alone = known.stream().filter(one -> explainAll(List.of(one))).toList();
         if (wrong.size() < 2 && !isLeftAlone(alone)) return Message.NONE;
         if (!alone.isEmpty() && !areGuesses(alone))
-            return said("cause.shared", List.of(alone.get(0)));
+            return message("cause.shared", List.of(alone.get(0)));
         if (!alone.isEmpty()) return Message.NONE;
         for (int i = 0; i < known.size(); i++)
             for (int j = i + 1; j < known.size(); j++) {
                 List<Cause> two = List.of(known.get(i), known.get(j));
-                if (explainAll(two)) return said("cause.shared.two", two);
+                if (explainAll(two)) return message("cause.shared.two", two);
             }
         for (Cause one : known)
             if (wrong.stream().allMatch(call -> shows(call, List.of(one), known)))
-                return said("cause.common", List.of(one));
+                return message("cause.common", List.of(one));
         return Message.NONE;
     }
 
     /** The one known mistake that explains every wrong call and leaves every right one right. */
     Message only() {
         List<Cause> alone = known().stream().filter(one -> explainAll(List.of(one))).toList();
-        return alone.size() == 1 && isKnown(alone.get(0)) ? alone.get(0).said() : Message.NONE;
+        return alone.size() == 1 && isKnown(alone.get(0)) ? alone.get(0).message() : Message.NONE;
     }
 
     /** Whether one known mistake is left of several that explain the one wrong answer. */
@@ -84,7 +84,7 @@ final class SharedCause {
     }
 
     private static boolean isKnown(Cause cause) {
-        return cause.said().sentences().get(0).key().startsWith("known-");
+        return cause.message().sentences().get(0).key().startsWith("known-");
     }
 
     /** Whether they are several known mistakes, of which it cannot be told which was made. */
@@ -126,12 +126,12 @@ final class SharedCause {
     }
 
     /** Each cause with where it shows, which is said once where all show there. */
-    private Message said(String heading, List<Cause> causes) {
+    private Message message(String heading, List<Cause> causes) {
         List<Message> where = new ArrayList<>();
         for (Cause one : causes) where.add(where(one, causes));
         Message said = Message.of(heading);
         for (int i = 0; i < causes.size(); i++) {
-            said = said.and(causes.get(i).said());
+            said = said.and(causes.get(i).message());
             boolean saidNext = i + 1 < causes.size() && where.get(i + 1).equals(where.get(i));
             if (!saidNext) said = said.and(where.get(i));
         }

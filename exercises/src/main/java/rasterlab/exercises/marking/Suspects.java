@@ -33,7 +33,7 @@ final class Suspects {
      * left, or one is told already.
      */
     Message only(TriedCall wrong, Message told) {
-        if (changed.explains(wrong)) return changed.only().orElseThrow().said();
+        if (changed.explains(wrong)) return changed.only().orElseThrow().message();
         List<List<Cause>> known = wrong.finding().explanations();
         if (known.size() < 2 || isTold(known, told)) return Message.NONE;
         Optional<List<Cause>> only = Optional.empty();
@@ -44,14 +44,14 @@ final class Suspects {
             only = Optional.of(one);
         }
         Message said = Message.NONE;
-        for (Cause one : only.orElse(List.of())) said = said.and(one.said());
+        for (Cause one : only.orElse(List.of())) said = said.and(one.message());
         return said;
     }
 
     private static boolean isTold(List<List<Cause>> known, Message told) {
         return known.stream()
                 .flatMap(List::stream)
-                .flatMap(one -> one.said().sentences().stream())
+                .flatMap(one -> one.message().sentences().stream())
                 .anyMatch(told.sentences()::contains);
     }
 

@@ -19,7 +19,7 @@ import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.drawing.PixelPictures;
 import rasterlab.exercises.judging.ByTopic;
 import rasterlab.exercises.judging.Demand;
-import rasterlab.exercises.judging.Differing;
+import rasterlab.exercises.judging.DifferingItem;
 import rasterlab.exercises.judging.TimedInput;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
@@ -119,7 +119,7 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
 
     /** {@inheritDoc} Of a cut line, no pixel is missing where all that is wrong comes twice. */
     @Override
-    protected final PixelRecording beside(
+    protected final PixelRecording shownRight(
             I input,
             PixelRecording right,
             PixelRecording actual,
@@ -144,9 +144,9 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     }
 
     @Override
-    protected final Optional<Differing> differing(
+    protected final Optional<DifferingItem> differing(
             I input, PixelRecording right, PixelRecording actual, Message said) {
-        return FirstDifference.of(right, actual).map(first -> Differing.at(first.pixel()));
+        return FirstDifference.of(right, actual).map(first -> DifferingItem.at(first.pixel()));
     }
 
     /** {@inheritDoc} The first faulty method that draws the very same. */

@@ -26,8 +26,8 @@ public record Question(
     }
 
     /** The fields that stand in the question. */
-    public ObjectNode told() {
-        return part(rules.told());
+    public ObjectNode givenFields() {
+        return part(rules.givenFields());
     }
 
     /** The right answer. */
@@ -37,7 +37,7 @@ public record Question(
 
     /** The question about a step, without the value that decides on it. */
     public ObjectNode shown(JsonNode step) {
-        ObjectNode shown = part(step, rules.told());
+        ObjectNode shown = part(step, rules.givenFields());
         return shown.setAll(part(step, rules.asked().stream().map(PredictedField::field).toList()));
     }
 
@@ -85,8 +85,8 @@ public record Question(
     }
 
     /** The verdict on an answer in words: what was answered, what is right, and why. */
-    public Message said(JsonNode answer) {
-        String right = StepValues.told(right());
+    public Message verdictMessage(JsonNode answer) {
+        String right = StepValues.valueText(right());
         Message verdict =
                 isOpen(answer)
                         ? Message.of("predict.open", right)
@@ -99,7 +99,7 @@ public record Question(
     private String answered(JsonNode answer) {
         ObjectNode part = JsonNodeFactory.instance.objectNode();
         for (PredictedField one : rules.asked()) part.set(one.field(), answer.path(one.field()));
-        return StepValues.told(part);
+        return StepValues.valueText(part);
     }
 
     /** The decision on the step, with the value where there is one. */
@@ -108,7 +108,11 @@ public record Question(
         String russian = rules.reason().words("ru");
         return reason().map(
                         value ->
-                                Message.of("predict.why", english, russian, StepValues.told(value)))
+                                Message.of(
+                                        "predict.why",
+                                        english,
+                                        russian,
+                                        StepValues.valueText(value)))
                 .orElseGet(() -> Message.of("in-both-languages", english, russian));
     }
 }

@@ -78,7 +78,7 @@ public final class SheetGrading {
                 right ? GradingVerdict.OK : GradingVerdict.WRONG,
                 right ? one.points() : 0,
                 one.points(),
-                question.said(answer),
+                question.verdictMessage(answer),
                 List.of(),
                 scene);
     }

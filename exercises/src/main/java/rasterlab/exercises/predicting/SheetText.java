@@ -79,7 +79,7 @@ public final class SheetText {
     private static String asked(Question one) {
         ObjectNode asked = JsonNodeFactory.instance.objectNode();
         asked.put(HandedAnswers.NUMBER, one.number());
-        return line(asked.setAll(one.told()));
+        return line(asked.setAll(one.givenFields()));
     }
 
     private static String answer(Question one, JsonNode answer) {

@@ -51,7 +51,7 @@ public final class StepText {
     }
 
     /** Fields with their values; one that is a line of a program stands behind a colon. */
-    public String told(JsonNode fields) {
+    public String fieldsText(JsonNode fields) {
         return signed(
                 fields.properties().stream()
                         .map(
@@ -103,7 +103,7 @@ public final class StepText {
             return StreamSupport.stream(value.spliterator(), false)
                     .map(this::number)
                     .collect(joining(apart, "(", ")"));
-        String told = StepValues.told(value);
+        String told = StepValues.valueText(value);
         return value.isNumber() ? told.replace('.', comma) : told;
     }
 

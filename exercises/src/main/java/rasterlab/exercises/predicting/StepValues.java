@@ -68,14 +68,14 @@ public final class StepValues {
     }
 
     /** A value for people: {@code x = 3, y = 1}, {@code (0.5, 2)}, a word as it is. */
-    public static String told(JsonNode value) {
+    public static String valueText(JsonNode value) {
         if (value.isObject())
             return value.properties().stream()
-                    .map(field -> field.getKey() + " = " + told(field.getValue()))
+                    .map(field -> field.getKey() + " = " + valueText(field.getValue()))
                     .collect(joining(", "));
         if (value.isArray())
             return StreamSupport.stream(value.spliterator(), false)
-                    .map(StepValues::told)
+                    .map(StepValues::valueText)
                     .collect(joining(", ", "(", ")"));
         return value.isNumber() ? number(value) : value.asText();
     }

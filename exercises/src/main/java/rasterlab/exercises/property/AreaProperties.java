@@ -57,7 +57,7 @@ final class AreaProperties {
     /** The relation of the polygon's area and that of the triangles. */
     private static final class AreaKept implements Relation<Points, Triangles> {
         @Override
-        public List<Points> beside(Points corners, Triangles answer) {
+        public List<Points> furtherInputs(Points corners, Triangles answer) {
             return List.of();
         }
 

@@ -77,7 +77,7 @@ final class ClipProperties {
      */
     private static final class PiecesAgain implements Relation<PolygonInWindow, List<double[]>> {
         @Override
-        public List<PolygonInWindow> beside(PolygonInWindow input, List<double[]> pieces) {
+        public List<PolygonInWindow> furtherInputs(PolygonInWindow input, List<double[]> pieces) {
             List<PolygonInWindow> again = new ArrayList<>();
             for (double[] piece : pieces) again.add(new PolygonInWindow(input.window(), piece));
             return again;

@@ -24,7 +24,7 @@ final class ColorProperties {
     /** The relation that a colour as written in another model is in all models the first one. */
     private static final class RoundTrip implements Relation<Colors, ColorSheet> {
         @Override
-        public List<Colors> beside(Colors colors, ColorSheet sheet) {
+        public List<Colors> furtherInputs(Colors colors, ColorSheet sheet) {
             List<Colors> written = new ArrayList<>();
             for (ColorModel model : MODELS)
                 if (model != colors.model())

@@ -46,7 +46,7 @@ final class MotionProperties {
      */
     private static final class DistancesKept implements Relation<ViewTask, Images> {
         @Override
-        public List<ViewTask> beside(ViewTask look, Images images) {
+        public List<ViewTask> furtherInputs(ViewTask look, Images images) {
             return List.of();
         }
 

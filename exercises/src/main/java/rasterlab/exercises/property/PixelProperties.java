@@ -84,7 +84,7 @@ final class PixelProperties {
      */
     private static final class SharedEdge implements Relation<PolygonTask, PixelRecording> {
         @Override
-        public List<PolygonTask> beside(PolygonTask task, PixelRecording answer) {
+        public List<PolygonTask> furtherInputs(PolygonTask task, PixelRecording answer) {
             int corners = task.x().length;
             int half = corners / 2;
             return List.of(part(task, 0, half), part(task, half, corners));

@@ -19,7 +19,7 @@ public interface Relation<I, O> {
      * @param answer to the input
      * @throws IllegalArgumentException where no input can be made of that answer
      */
-    List<I> beside(I input, O answer);
+    List<I> furtherInputs(I input, O answer);
 
     /**
      * The answer that breaks it; empty where it holds.
@@ -38,9 +38,9 @@ public interface Relation<I, O> {
      * An answer that does not fit the others.
      *
      * @param wanted what it would be if it fitted them; empty where that cannot be told
-     * @param said what is told then
+     * @param message what is told then
      */
-    record Broken<I, O>(AnsweredInput<I, O> answered, Optional<O> wanted, Message said) {
+    record Broken<I, O>(AnsweredInput<I, O> answered, Optional<O> wanted, Message message) {
         public Broken(AnsweredInput<I, O> answered, O wanted) {
             this(answered, Optional.of(wanted), Message.NONE);
         }
@@ -64,7 +64,7 @@ public interface Relation<I, O> {
     static <I, O> Relation<I, O> changed(List<InputChange<I, O>> changes) {
         return new Relation<>() {
             @Override
-            public List<I> beside(I input, O answer) {
+            public List<I> furtherInputs(I input, O answer) {
                 return changes.stream().map(one -> one.input().apply(input)).toList();
             }
 
@@ -98,7 +98,7 @@ public interface Relation<I, O> {
     static <I, O> Relation<I, O> followed(BiFunction<I, O, I> next, BiFunction<I, O, O> wanted) {
         return new Relation<>() {
             @Override
-            public List<I> beside(I input, O answer) {
+            public List<I> furtherInputs(I input, O answer) {
                 return List.of(next.apply(input, answer));
             }
 
@@ -124,7 +124,7 @@ public interface Relation<I, O> {
     static <I, O> Relation<I, O> kept(BiFunction<I, O, O> wanted) {
         return new Relation<>() {
             @Override
-            public List<I> beside(I input, O answer) {
+            public List<I> furtherInputs(I input, O answer) {
                 return List.of();
             }
 

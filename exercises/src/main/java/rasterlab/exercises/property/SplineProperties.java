@@ -45,7 +45,7 @@ final class SplineProperties {
      */
     private static final class Smooth implements Relation<SplineProblem, SplineValues> {
         @Override
-        public List<SplineProblem> beside(SplineProblem problem, SplineValues answer) {
+        public List<SplineProblem> furtherInputs(SplineProblem problem, SplineValues answer) {
             double[] x = problem.x();
             double[] at = new double[IN_PIECE * (x.length - 1) + 1];
             for (int i = 0; i < at.length; i++) {

@@ -36,7 +36,7 @@ public final class Proving {
         this.exercise = exercise;
         this.grading = TopicGradings.of(exercise);
         this.topic = Topics.named(exercise.topic());
-        this.calls = TriedMethod.calls(exercise, grading, seed);
+        this.calls = GradedMethod.calls(exercise, grading, seed);
     }
 
     /** The proof without the exercise's sources. */
@@ -95,7 +95,7 @@ public final class Proving {
         List<RightMethod> right = new ArrayList<>();
         for (Method<?> one : topic.methods())
             if (!one.faulty()) {
-                TriedMethod tried = tried(one.implementation());
+                GradedMethod tried = tried(one.implementation());
                 right.add(
                         new RightMethod(
                                 one.name(),
@@ -127,7 +127,7 @@ public final class Proving {
     }
 
     private Kill kill(String name, boolean mutant, boolean answered, Object method) {
-        TriedMethod tried = tried(method);
+        GradedMethod tried = tried(method);
         Set<String> codes = codes(name);
         // what a topic sees in an answer by itself may be nothing, as where nothing was drawn
         boolean byName = codes.size() == 1;
@@ -162,7 +162,7 @@ public final class Proving {
                 .anyMatch(recorded -> recorded.containsValue(Verdict.Kind.EXACT));
     }
 
-    private TriedMethod tried(Object method) {
-        return TriedMethod.on(exercise, calls, method);
+    private GradedMethod tried(Object method) {
+        return GradedMethod.on(exercise, calls, method);
     }
 }

@@ -133,7 +133,7 @@ final class BreakRun {
     /** Why the right methods do not speak for this input; nothing where they do. */
     private static Message against(List<MethodResult> right) {
         for (MethodResult one : right)
-            if (one.failed()) return Message.of("break.disagree", one.method()).and(one.said());
+            if (one.failed()) return Message.of("break.disagree", one.method()).and(one.message());
         return right.stream()
                 .filter(one -> one.kind() == Verdict.Kind.REFUSED)
                 .findFirst()
@@ -144,7 +144,7 @@ final class BreakRun {
 
     /** The engine's words on why a method refuses. */
     private static String reason(MethodResult refused) {
-        return refused.said().sentences().get(0).arguments().get(0);
+        return refused.message().sentences().get(0).arguments().get(0);
     }
 
     private Report report(int characters) {
@@ -178,7 +178,9 @@ final class BreakRun {
         if (found == null) return notTried(one);
         boolean failed = found.tried().failed();
         Message message =
-                failed ? found.tried().said().and(found.which()) : Message.of("break.withstands");
+                failed
+                        ? found.tried().message().and(found.which())
+                        : Message.of("break.withstands");
         String scene = new MethodCase(exercise.topic(), method(one.name()), found.input()).write();
         return new CaseReport(
                 one.name(),

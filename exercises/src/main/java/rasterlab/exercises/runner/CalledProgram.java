@@ -67,7 +67,7 @@ public final class CalledProgram implements AutoCloseable {
         try {
             compiled(compiling.compile(children, source, limit()));
         } catch (ChildLost lost) {
-            throw crashed("your program could not be compiled: " + lost.said());
+            throw crashed("your program could not be compiled: " + lost.message());
         }
     }
 
@@ -179,7 +179,7 @@ public final class CalledProgram implements AutoCloseable {
                                     + " s and was stopped");
             case MEMORY_LIMIT -> crashed("your program ran out of memory and was stopped");
             case OUTPUT_LIMIT -> crashed("your program went on and on and was stopped");
-            case RUNTIME_ERROR -> crashed("your program cannot be made: " + finding.said());
+            case RUNTIME_ERROR -> crashed("your program cannot be made: " + finding.message());
             default -> crashed("your program ended without an answer");
         };
     }
@@ -199,7 +199,9 @@ public final class CalledProgram implements AutoCloseable {
             case UNUSABLE ->
                     throw wrong(
                             "your program's answer cannot be used: "
-                                    + (answer.said().isEmpty() ? answer.message() : answer.said()));
+                                    + (answer.explanation().isEmpty()
+                                            ? answer.message()
+                                            : answer.explanation()));
         };
     }
 

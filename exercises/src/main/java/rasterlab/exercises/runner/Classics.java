@@ -56,7 +56,7 @@ final class Classics {
      * @param reference as the topic calls it
      * @param calls the same ones each time, of which at least one tells an error
      */
-    synchronized List<SpeedFigures.MethodSpeed> beside(
+    synchronized List<SpeedFigures.MethodSpeed> classicsFor(
             Exercise exercise,
             TopicGrading topic,
             TimingInputs timing,

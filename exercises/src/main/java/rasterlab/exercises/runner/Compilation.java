@@ -68,7 +68,7 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
     private static Optional<Diagnostic> withoutClass(String source) {
         return CLASS.matcher(source).find()
                 ? Optional.empty()
-                : Optional.of(said("source.no-class"));
+                : Optional.of(diagnostic("source.no-class"));
     }
 
     private static Compilation read(int status, DataInputStream in) throws IOException {
@@ -109,14 +109,14 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
     }
 
     private static Compilation tooComplex(String key, Object... arguments) {
-        return failed(GradingVerdict.COMPILE_ERROR, List.of(said(key, arguments)));
+        return failed(GradingVerdict.COMPILE_ERROR, List.of(diagnostic(key, arguments)));
     }
 
     private static Compilation refused(String key, long amount, int most) {
-        return failed(GradingVerdict.REFUSED, List.of(said(key, amount, most)));
+        return failed(GradingVerdict.REFUSED, List.of(diagnostic(key, amount, most)));
     }
 
-    private static Diagnostic said(String key, Object... arguments) {
+    private static Diagnostic diagnostic(String key, Object... arguments) {
         return new Diagnostic(0, 0, Message.of(key, arguments));
     }
 

@@ -51,7 +51,7 @@ final class FiguresRun {
                         speed.ratio().get(),
                         speed.reference(),
                         error.getAsDouble(),
-                        models.classics().beside(exercise, topic, timing, reference, calls)));
+                        models.classics().classicsFor(exercise, topic, timing, reference, calls)));
     }
 
     /** Findings in hidden cases are not told, and hazards ask for more than accuracy. */

@@ -220,7 +220,7 @@ final class GradingRun {
             return SpeedTrial.SpeedOutcome.none(
                     lost.isIdle()
                             ? SpeedTrial.UNSETTLED
-                            : Message.of(topic.inOwnWords("speed.stopped")).and(lost.said()));
+                            : Message.of(topic.inOwnWords("speed.stopped")).and(lost.message()));
         }
     }
 

@@ -12,12 +12,12 @@ import rasterlab.exercises.score.Report;
  *
  * @param name "bubblewrap" or "process limits only", as stored with a report; {@link
  *     Report#isolationIn} has it in other languages
- * @param said what it holds and what it lacks, for start-up, log and result page
+ * @param message what it holds and what it lacks, for start-up, log and result page
  * @param missing the layers that are not there, one by one, each by its name
  * @param exam whether it is meant to hold against a determined attacker, so that exams may be
  *     graded; then nothing is missing but {@link #UNPROMISED}
  */
-public record Isolation(String name, Message said, List<Message> missing, boolean exam) {
+public record Isolation(String name, Message message, List<Message> missing, boolean exam) {
     private static final String PREFIX = "isolation.";
 
     /** The layers that are nowhere there yet, and that exams are not promised. */
@@ -97,11 +97,11 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
 
     /** The protection in that language, without the layers that are missing. */
     public String holds(String language) {
-        return new Message(said.sentences().subList(0, 1)).in(language);
+        return new Message(message.sentences().subList(0, 1)).in(language);
     }
 
     /** One honest line in that language. */
     public String describe(String language) {
-        return said.in(language);
+        return message.in(language);
     }
 }

@@ -179,7 +179,7 @@ public final class Judge implements Grading, AutoCloseable {
             try {
                 return attempt.report();
             } catch (ChildLost lost) {
-                reason = Message.of("internal.child").and(lost.said());
+                reason = Message.of("internal.child").and(lost.message());
             } catch (UncheckedIOException cannotStart) {
                 reason = Message.of("internal.start", cannotStart.getCause().getMessage());
             }

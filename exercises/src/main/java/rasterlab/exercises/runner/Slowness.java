@@ -47,11 +47,15 @@ final class Slowness {
             StudentRun.Timed reply = program.run().time(batch);
             boolean answered = reply.thrown().isEmpty() && !reply.tooLong();
             // as a study measures methods, for each item that is made, right or wrong
-            if (!answered || reply.told().count() == 0) return OptionalDouble.empty();
+            if (!answered || reply.answers().count() == 0) return OptionalDouble.empty();
             StudentRun.Timed right = reference.run().time(batch);
             long elapsed = System.nanoTime() - start;
-            if (warmUp.isOver(reply, right, reply.told().count(), elapsed))
-                pace.add(reply, reply.told().count(), right, Math.max(1, right.told().count()));
+            if (warmUp.isOver(reply, right, reply.answers().count(), elapsed))
+                pace.add(
+                        reply,
+                        reply.answers().count(),
+                        right,
+                        Math.max(1, right.answers().count()));
             if (elapsed > BUDGET_NANOS) break;
         }
         return pace.pairs() > 0 && pace.isTimed()

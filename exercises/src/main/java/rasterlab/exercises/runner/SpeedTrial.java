@@ -135,9 +135,9 @@ final class SpeedTrial {
             if (pace.isSettled() && isCertain(pace.ratio())) break;
         }
         if (pace.pairs() == 0) return SpeedOutcome.none(UNSETTLED);
-        if (pace.isSettled() || pace.isRoughlyTold()) return told(Message.NONE);
+        if (pace.isSettled() || pace.isRoughlyTold()) return outcome(Message.NONE);
         return patience.isBusy() || pace.isCredible()
-                ? told(UNSETTLED)
+                ? outcome(UNSETTLED)
                 : new SpeedOutcome(
                         Optional.of(pace.wallRatio()), pace.wallReference(), printed, Message.NONE);
     }
@@ -163,7 +163,7 @@ final class SpeedTrial {
         return last;
     }
 
-    private SpeedOutcome told(Message obstacle) {
+    private SpeedOutcome outcome(Message obstacle) {
         return new SpeedOutcome(Optional.of(pace.ratio()), pace.reference(), printed, obstacle);
     }
 
@@ -244,7 +244,7 @@ final class SpeedTrial {
                             ? Message.of(words.apply("speed.threw"), reply.thrown())
                             : Message.of(words.apply("speed.threw-own")));
         if (reply.tooLong()) return Optional.of(Message.of("speed.too-long"));
-        boolean right = timing.mistakes(reply.told()).filter(charged::containsAll).isPresent();
+        boolean right = timing.mistakes(reply.answers()).filter(charged::containsAll).isPresent();
         return right ? Optional.empty() : Optional.of(Message.of(words.apply("speed.wrong")));
     }
 }

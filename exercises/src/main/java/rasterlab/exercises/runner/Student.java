@@ -169,18 +169,18 @@ final class Student implements AutoCloseable, Shrinking.Asking {
         private final transient Finding finding;
 
         NotLoaded(Finding finding) {
-            super(finding.said().toString(), null, false, false);
+            super(finding.message().toString(), null, false, false);
             this.finding = finding;
         }
     }
 
     /** Something that is asked of a child. */
-    private interface Asked<T> {
+    private interface ChildRequest<T> {
         T ask() throws ChildLost, InterruptedException;
     }
 
     /** Asks again, in a fresh child, where the child did nearly nothing with its time. */
-    private <T> T twice(Asked<T> asked) throws ChildLost, InterruptedException {
+    private <T> T twice(ChildRequest<T> asked) throws ChildLost, InterruptedException {
         try {
             return asked.ask();
         } catch (ChildLost lost) {
@@ -209,7 +209,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
                     case OUTPUT -> GradingVerdict.OUTPUT_LIMIT;
                     case ENDED, PROTOCOL, SIGNAL, KILLED -> GradingVerdict.NO_RESULT;
                 };
-        return Finding.of(verdict, lost.said());
+        return Finding.of(verdict, lost.message());
     }
 
     /**

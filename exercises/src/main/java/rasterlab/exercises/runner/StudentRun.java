@@ -84,7 +84,7 @@ final class StudentRun {
                             throw new IOException("cannot make an instance of " + entry);
                         return Answer.without(Answer.CallEnding.RETURNED, "", "", "");
                     });
-        } catch (Asked.MethodException threw) {
+        } catch (StudentMethodProxy.MethodException threw) {
             return threw.answer();
         }
     }
@@ -98,7 +98,9 @@ final class StudentRun {
             throws ChildLost, InterruptedException {
         spent = Duration.ZERO;
         first = true;
-        Asked asked = new Asked(contract, (method, arguments) -> send(caps, method, arguments));
+        StudentMethodProxy asked =
+                new StudentMethodProxy(
+                        contract, (method, arguments) -> send(caps, method, arguments));
         try {
             return asked.with(
                     Answer.CallEnding.RETURNED, call.recorded(asked.method(), caps.items()));
@@ -111,7 +113,7 @@ final class StudentRun {
         } catch (SharedAnswer shared) {
             String key = shared.given() ? "answer.shared-given" : "answer.shared-before";
             return asked.unusable(Message.of(key));
-        } catch (Asked.Unanswered stopped) {
+        } catch (StudentMethodProxy.Unanswered stopped) {
             Throwable cause = stopped.getCause();
             if (cause instanceof InterruptedException interrupted) throw interrupted;
             if (!(cause instanceof ChildLost lost)) return asked.ended().orElseThrow();
@@ -124,8 +126,9 @@ final class StudentRun {
         }
     }
 
-    private Asked.CallReply send(CallLimits caps, ContractCall method, Object[] arguments)
-            throws ChildLost, InterruptedException, Asked.MethodException {
+    private StudentMethodProxy.CallReply send(
+            CallLimits caps, ContractCall method, Object[] arguments)
+            throws ChildLost, InterruptedException, StudentMethodProxy.MethodException {
         Request request =
                 new Request(
                         Wire.CALL,
@@ -137,7 +140,7 @@ final class StudentRun {
                             out.writeInt(method.number());
                             method.writeArguments(arguments, out);
                         });
-        Asked.CallReply reply =
+        StudentMethodProxy.CallReply reply =
                 askWithin(
                         caps.processor().orElse(callLimit),
                         request,
@@ -147,7 +150,8 @@ final class StudentRun {
                                     && status != Wire.TOO_LONG)
                                 throw new IOException("status " + status + " after a call");
                             byte[] answer = Frames.read(in, Wire.MOST_ANSWER_BYTES);
-                            return new Asked.CallReply(status, answer, Wire.cut(in.readUTF()));
+                            return new StudentMethodProxy.CallReply(
+                                    status, answer, Wire.cut(in.readUTF()));
                         });
         first = false;
         return reply;
@@ -163,7 +167,12 @@ final class StudentRun {
      * @param tooLong whether an answer has more bytes than are taken
      */
     record Timed(
-            long nanos, long own, TimedAnswers told, long printed, String thrown, boolean tooLong) {
+            long nanos,
+            long own,
+            TimedAnswers answers,
+            long printed,
+            String thrown,
+            boolean tooLong) {
         static Timed none(long nanos, String thrown, boolean tooLong) {
             return new Timed(nanos, 0, TimedBatch.NOTHING, 0, thrown, tooLong);
         }
@@ -194,7 +203,7 @@ final class StudentRun {
      * @throws ChildLost also when nothing is left, naming the whole limit
      */
     private <T> T askWithin(Duration limit, Request request, PayloadReader<T> reading)
-            throws ChildLost, InterruptedException, Asked.MethodException {
+            throws ChildLost, InterruptedException, StudentMethodProxy.MethodException {
         Duration before = used();
         long start = System.nanoTime();
         T answer;
@@ -212,7 +221,7 @@ final class StudentRun {
     }
 
     private <T> T ask(Request request, Duration limit, PayloadReader<T> reading)
-            throws ChildLost, InterruptedException, Asked.MethodException {
+            throws ChildLost, InterruptedException, StudentMethodProxy.MethodException {
         Optional<T> answer =
                 child.ask(
                         request,
@@ -223,7 +232,7 @@ final class StudentRun {
                             return Optional.empty();
                         });
         if (answer.isPresent()) return answer.get();
-        throw new Asked.MethodException(withMessage(thrown));
+        throw new StudentMethodProxy.MethodException(withMessage(thrown));
     }
 
     /** The message comes by itself, since asking for it runs the student's code once more. */

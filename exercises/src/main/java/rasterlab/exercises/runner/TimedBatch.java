@@ -16,10 +16,10 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.TimedAnswers;
 import rasterlab.exercises.TopicGrading.TimingInputs;
+import rasterlab.exercises.child.ArrayAliases;
 import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Frames;
-import rasterlab.exercises.child.HeldArrays;
 import rasterlab.exercises.child.Values;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.runner.process.Request;
@@ -61,7 +61,7 @@ final class TimedBatch {
         this.timing = timing;
         this.caps = caps;
         this.inputs = pastLast - firstInput;
-        Object listening = Asked.proxy(contract, new Listening());
+        Object listening = StudentMethodProxy.proxy(contract, new Listening());
         int looked = timing.looked().orElse(-1);
         for (int i = firstInput; i < pastLast; i++) {
             if (i == looked) from = calls;
@@ -138,7 +138,7 @@ final class TimedBatch {
             return Optional.of(
                     timing.recorded(
                             timing.looked().getAsInt(),
-                            Asked.proxy(contract, new Replaying(answers))));
+                            StudentMethodProxy.proxy(contract, new Replaying(answers))));
         } catch (LimitReached | IllegalStateException unusable) {
             return Optional.empty();
         }
@@ -147,7 +147,7 @@ final class TimedBatch {
     /** Gives one answer after the other. */
     private final class Replaying implements InvocationHandler {
         private final Deque<byte[]> answers;
-        private final HeldArrays arrays = new HeldArrays();
+        private final ArrayAliases arrays = new ArrayAliases();
 
         Replaying(Deque<byte[]> answers) {
             this.answers = answers;

@@ -25,7 +25,7 @@ final class SceneJsonPlace extends JsonPlace<SceneJsonPlace> {
         try {
             return new SceneJsonPlace(json, "$", JsonText.treeWithEndlessNumbers(json));
         } catch (NotJson e) {
-            throw new IllegalArgumentException("not JSON: " + e.said(), e);
+            throw new IllegalArgumentException("not JSON: " + e.phrase(), e);
         }
     }
 

@@ -9,24 +9,24 @@ import rasterlab.engine.range.Bounds;
  *
  * @param output of the topic; empty where there is none
  * @param items number of items of the output
- * @param told a digest of all that the child told of the output
+ * @param digest a digest of all that the child told of the output
  * @param exception class name of what it threw, empty where it did not
  * @param message of the exception, cut, or what is wrong with an answer that cannot be used; may be
  *     empty
  * @param line of the source where the exception was thrown, from 1; 0 where none is known
  * @param printed what it printed, cut
- * @param said why the answer cannot be used, where words of ours tell that
+ * @param explanation why the answer cannot be used, where words of ours tell that
  */
 public record Answer(
         CallEnding ending,
         Optional<Object> output,
         long items,
-        String told,
+        String digest,
         String exception,
         String message,
         int line,
         String printed,
-        Message said) {
+        Message explanation) {
     public Answer {
         Bounds.requireAtLeast("line", line, 0);
     }
@@ -82,7 +82,7 @@ public record Answer(
     public boolean isSameAs(Answer other) {
         return ending == other.ending
                 && exception.equals(other.exception)
-                && told.equals(other.told);
+                && digest.equals(other.digest);
     }
 
     /** The exception's class and message as one text. */

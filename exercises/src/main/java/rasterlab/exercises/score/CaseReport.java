@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  *
  * @param name lower-case with hyphens; what mistake it catches
  * @param points earned, 0 to {@code of}; below 0 in the line that takes points off
- * @param said why points were lost, and of speed what was measured; else nothing
+ * @param explanation why points were lost, and of speed what was measured; else nothing
  * @param pictures of a wrong case whose answer can be drawn, each of another kind; else none
  * @param scene the case as a scene file (JSON) that the lab opens; empty where the case is hidden
  */
@@ -20,7 +20,7 @@ public record CaseReport(
         GradingVerdict verdict,
         int points,
         int of,
-        Message said,
+        Message explanation,
         List<CasePicture> pictures,
         String scene) {
     /** The name of a case whose own is kept from the student. */
@@ -97,17 +97,17 @@ public record CaseReport(
 
     /** The message in that language. */
     public String message(String language) {
-        return VisibleText.line(said.in(language));
+        return VisibleText.line(explanation.in(language));
     }
 
     /** The message as JSON has it, see {@link Message#inJson}. */
     public String messageInJson(String language) {
-        return VisibleText.line(said.inJson(language));
+        return VisibleText.line(explanation.inJson(language));
     }
 
     /** The place in the answer that is told, as a path of its JSON, if one is. */
     public Optional<String> place() {
-        return said.place();
+        return explanation.place();
     }
 
     /** This report with what the student may not see taken out. */
@@ -121,7 +121,8 @@ public record CaseReport(
 
     /** The class of the error; lines and other topics are wrong in words of their own. */
     private Message hint() {
-        boolean any = said.sentences().stream().anyMatch(one -> one.key().startsWith("answer."));
+        boolean any =
+                explanation.sentences().stream().anyMatch(one -> one.key().startsWith("answer."));
         return any && verdict == GradingVerdict.WRONG
                 ? Message.of("hidden.wrong.any")
                 : verdict.hint();

@@ -6,9 +6,9 @@ import java.util.List;
  * A mistake that explains an answer by itself, such as a last pixel that is left out everywhere.
  *
  * @param code lower-case with hyphens; a group of cases may claim it
- * @param said the same for people
+ * @param message the same for people
  */
-public record Cause(String code, Message said) {
+public record Cause(String code, Message message) {
     /**
      * @param code of a text {@code mistake.CODE}
      * @param arguments what stands in its places

@@ -8,7 +8,7 @@ import rasterlab.engine.range.Bounds;
  * @param line from 1; 0 where no line is known
  * @param column from 1; 0 where no column is known
  */
-public record Diagnostic(int line, int column, Message said) {
+public record Diagnostic(int line, int column, Message explanation) {
     public Diagnostic {
         Bounds.requireAtLeast("line", line, 0);
         Bounds.requireAtLeast("column", column, 0);
@@ -21,6 +21,6 @@ public record Diagnostic(int line, int column, Message said) {
 
     /** The diagnostic in a language. */
     public String message(String language) {
-        return said.in(language);
+        return explanation.in(language);
     }
 }

@@ -5,14 +5,14 @@ import java.util.List;
 /**
  * The finding about one answer.
  *
- * @param said what is wrong; nothing when nothing is
+ * @param message what is wrong; nothing when nothing is
  * @param pictures that show it; none where nothing can be shown
  * @param explanations of a wrong answer, each some mistakes that together explain it; several where
  *     it cannot be told which they are
  */
 public record Finding(
         GradingVerdict verdict,
-        Message said,
+        Message message,
         List<CasePicture> pictures,
         List<List<Cause>> explanations) {
     public static final Finding OK = of(GradingVerdict.OK, Message.NONE);
@@ -34,7 +34,9 @@ public record Finding(
 
     /** This finding with more to be said. */
     public Finding and(Message more) {
-        return more.isEmpty() ? this : new Finding(verdict, said.and(more), pictures, explanations);
+        return more.isEmpty()
+                ? this
+                : new Finding(verdict, message.and(more), pictures, explanations);
     }
 
     public boolean right() {

@@ -94,7 +94,9 @@ public record Message(List<Sentence> sentences) {
          */
         private String in(ReportTexts texts, String signs) {
             Object[] said =
-                    arguments.stream().map(one -> said(one, texts, texts.text(signs))).toArray();
+                    arguments.stream()
+                            .map(one -> argumentText(one, texts, texts.text(signs)))
+                            .toArray();
             place().ifPresent(
                             path ->
                                     said[0] =
@@ -110,11 +112,11 @@ public record Message(List<Sentence> sentences) {
          * what it sets between numbers; what the engine says in the language of people, and as it
          * is for programs; all else as it is.
          */
-        private String said(String argument, ReportTexts texts, String minus) {
+        private String argumentText(String argument, ReportTexts texts, String minus) {
             if (WITHIN.contains(key) && texts.has(argument)) return texts.text(argument);
             boolean isForPrograms = minus.equals("-");
             if (OF_THE_ENGINE.contains(key) && !isForPrograms)
-                return ComplaintTexts.said(language(texts), argument);
+                return ComplaintTexts.translated(language(texts), argument);
             if (STEPS.matcher(key).matches())
                 return StepWords.in(texts.locale())
                         .word(StepValue.in(argument, minus, point(texts), texts.text("apart")));

@@ -42,11 +42,12 @@ public record Phrase(String key, List<Object> arguments) {
      * @param language such as "ru"
      */
     public String in(String language) {
-        return Message.of(key, arguments.stream().map(each -> said(each, language)).toArray())
+        return Message.of(
+                        key, arguments.stream().map(each -> argumentText(each, language)).toArray())
                 .in(language);
     }
 
-    private static Object said(Object argument, String language) {
+    private static Object argumentText(Object argument, String language) {
         return argument instanceof Phrase phrase ? phrase.in(language) : argument;
     }
 

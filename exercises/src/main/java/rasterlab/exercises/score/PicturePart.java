@@ -34,7 +34,7 @@ public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
     }
 
     /** The part in words: its first and last column, those of the whole, and its rows. */
-    public Message said() {
+    public Message message() {
         return Message.of(
                 "picture.part",
                 shown.xmin(),

@@ -18,7 +18,7 @@ public record PublishedVerdict(String code, boolean run) {
      * @param points earned by the case
      * @param of the most it can earn
      */
-    public String told(int points, int of) {
+    public String codeFor(int points, int of) {
         if (!run) return GradingVerdict.NOT_RUN.code();
         boolean worthless = code.equals(GradingVerdict.OK.code()) && points == 0 && of > 0;
         return worthless ? GradingVerdict.TOO_SLOW.code() : code;

@@ -59,7 +59,9 @@ public record Report(
 
     /** Why the speed of a method that is accurate enough cannot be measured; else nothing. */
     public Message speedObstacle() {
-        return speed().filter(SpeedPoints::isObstacle).map(CaseReport::said).orElse(Message.NONE);
+        return speed().filter(SpeedPoints::isObstacle)
+                .map(CaseReport::explanation)
+                .orElse(Message.NONE);
     }
 
     /** {@link #isolation} in that language. */

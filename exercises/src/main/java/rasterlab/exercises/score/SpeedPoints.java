@@ -133,7 +133,7 @@ public final class SpeedPoints {
     /** Whether that is the line of a speed which the machine did not let be measured. */
     static boolean isUnsettled(CaseReport one) {
         return one.name().equals(CaseReport.SPEED)
-                && one.said().sentences().stream()
+                && one.explanation().sentences().stream()
                         .anyMatch(said -> KEYS_UNSETTLED.contains(said.key()));
     }
 

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 final class StepValue {
     private static final String NAME = "[\\p{L}_][\\w\\p{L}-]*";
     private static final String NUMBER = "-?\\d+(?:\\.\\d+)?(?:E[+-]?\\d+|·10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?";
-    private static final Pattern TOLD = told();
+    private static final Pattern TOLD = pattern();
     private static final Pattern POINT = Pattern.compile("(?<=\\d)\\.(?=\\d)");
 
     /** A power of ten as reports of earlier versions have it. */
@@ -21,7 +21,7 @@ final class StepValue {
     private StepValue() {}
 
     /** Rows stand in rows no deeper than pieces of a polygon do. */
-    private static Pattern told() {
+    private static Pattern pattern() {
         String value = "(?:" + NUMBER + "|" + NAME + ")";
         for (int depth = 0; depth < 3; depth++)
             value = "(?:" + value + "|\\(" + listed(value) + "\\))";

@@ -110,7 +110,7 @@ class BreakExercisesTest {
                 MethodsOnInput.of(topic, Phrase.quoted("example"), example.group(3))
                         .faulty(Set.of(method))
                         .get(0)
-                        .said();
+                        .message();
         for (String language : List.of("en", "ru")) {
             String statement = exercise.statement(language).replaceAll("\\s+", " ");
             String told = ": " + said.in(language) + ".";

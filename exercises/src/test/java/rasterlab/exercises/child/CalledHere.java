@@ -36,14 +36,14 @@ final class CalledHere {
 
     /** Calls as a child does for one input after the other. */
     static Answering calling() {
-        var there = new HeldArrays();
-        var here = new HeldArrays();
+        var there = new ArrayAliases();
+        var here = new ArrayAliases();
         return (call, implementation, given) ->
                 replayed(call, called(call, implementation, given, there), given, here);
     }
 
     static byte[] called(
-            ContractCall call, Object implementation, Object[] given, HeldArrays arrays)
+            ContractCall call, Object implementation, Object[] given, ArrayAliases arrays)
             throws Throwable {
         Object[] there = call.readArguments(in(sent(call, given)), MOST + 1, 10);
         byte[] before = call.values(there);
@@ -66,7 +66,7 @@ final class CalledHere {
         return sent.toByteArray();
     }
 
-    static Object replayed(ContractCall call, byte[] answer, Object[] given, HeldArrays arrays)
+    static Object replayed(ContractCall call, byte[] answer, Object[] given, ArrayAliases arrays)
             throws IOException {
         DataInputStream in = in(answer);
         Object value = call.replay(in, given, arrays).value();

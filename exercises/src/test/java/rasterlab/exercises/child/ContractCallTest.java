@@ -74,8 +74,8 @@ class ContractCallTest {
         for (Hazard<I> hazard : topic.hazards()) {
             var payload = new ByteArrayOutputStream();
             List<byte[]> answers = new ArrayList<>();
-            var there = new HeldArrays();
-            var here = new HeldArrays();
+            var there = new ArrayAliases();
+            var here = new ArrayAliases();
             CalledHere.Answering listening =
                     (call, implementation, given) -> {
                         new DataOutputStream(payload).writeInt(call.number());

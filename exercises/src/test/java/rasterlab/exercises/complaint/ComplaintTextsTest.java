@@ -19,7 +19,7 @@ class ComplaintTextsTest {
                 "/f: more than 1 value; expected 4 or 8 | /f: значений больше чем 1; здесь допустимо: 4 или 8"
             })
     void eitherFormIsKnownAndTheRightOneSaid(String english, String russian) {
-        assertEquals(russian, ComplaintTexts.said(RUSSIAN, english));
+        assertEquals(russian, ComplaintTexts.translated(RUSSIAN, english));
         assertEquals(english, ComplaintTexts.saidToTypist(Locale.ENGLISH, english));
     }
 }

@@ -53,7 +53,7 @@ class HintFaultsTest {
             })
     void wrongTextsAreTold(String file, String from, String to, String told) throws IOException {
         change(file, from, to);
-        told(told);
+        assertMessage(told);
     }
 
     @ParameterizedTest(name = "that costs are {0} is not told")
@@ -70,10 +70,10 @@ class HintFaultsTest {
             })
     void wrongCostsAreTold(String costs, String told) throws IOException {
         change("exercise.json", COSTS, "\"hintCosts\" : " + costs);
-        told(told);
+        assertMessage(told);
     }
 
-    private void told(String told) {
+    private void assertMessage(String told) {
         List<String> faults = faults("en");
         assertEquals(1, faults.size(), faults.toString());
         assertTrue(faults.get(0).contains("my-polygon"), faults.toString());
@@ -83,7 +83,7 @@ class HintFaultsTest {
     @Test
     void whatNoStepShowsIsTold() throws IOException {
         change("hints.ru.md", "## 1\n", "# Подсказки\n\nСначала подумайте.\n\n## 1\n");
-        told("hints.ru.md: only a title '# …' may stand above '## 1'");
+        assertMessage("hints.ru.md: only a title '# …' may stand above '## 1'");
         change("hints.ru.md", "Сначала подумайте.", "");
         assertEquals(List.of(), faults("en"));
     }
@@ -93,7 +93,7 @@ class HintFaultsTest {
         change("hints.en.md", "The idea …", "x".repeat(1000));
         assertEquals(List.of(), faults("en"));
         change("hints.en.md", "xx", "xxx");
-        told("hints.en.md: step 1 has 1500 characters, at most 1000 are allowed");
+        assertMessage("hints.en.md: step 1 has 1500 characters, at most 1000 are allowed");
     }
 
     @Test

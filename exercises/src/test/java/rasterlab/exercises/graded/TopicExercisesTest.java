@@ -32,8 +32,8 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.proving.GradedMethod;
 import rasterlab.exercises.proving.Marked;
-import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
@@ -85,7 +85,7 @@ class TopicExercisesTest {
                 String name = scene.get("method").asText();
                 Object method = topic.method(name).implementation();
                 assertTrue(
-                        call.check(TriedMethod.answer(call, method)).right(),
+                        call.check(GradedMethod.answer(call, method)).right(),
                         one.name() + ": " + name);
             }
     }
@@ -109,7 +109,7 @@ class TopicExercisesTest {
                                     out.segment(ax, ay, bx, by);
                                 });
         Finding shown = tried("clip-segment", twice, SEED).shown().orElseThrow();
-        String said = shown.said().in("en");
+        String said = shown.message().in("en");
         assertTrue(said.startsWith("what is right is sent again"), said);
     }
 
@@ -168,9 +168,9 @@ class TopicExercisesTest {
                 };
         String dart = "{\"given\": {\"polygon\": [[0, 0], [4, 4], [8, 0], [4, 9]]}}";
         Finding told = judged("triangulate", dart, fan);
-        String english = told.said().in("en");
+        String english = told.message().in("en");
         assertTrue(english.startsWith("triangle 0 (0, 1, 2) goes clockwise; "), english);
-        String russian = told.said().in("ru");
+        String russian = told.message().in("ru");
         assertTrue(russian.startsWith("обход треугольника 0 (0, 1, 2)\u00a0— по"), russian);
     }
 
@@ -179,7 +179,7 @@ class TopicExercisesTest {
                 new Case("a-case", Map.of(), Criterion.ACCURACY, Disclosure.OPEN, 1, input, false);
         TopicGrading.GradedCall call =
                 TopicGradings.named(topic).calls(one, new ExerciseTolerance(false), 1).get(0);
-        return call.judge(TriedMethod.answer(call, method));
+        return call.judge(GradedMethod.answer(call, method));
     }
 
     private interface Plot {
@@ -200,8 +200,8 @@ class TopicExercisesTest {
             CircleRasterizer method, String english, String russian) {
         String circle = "{\"given\": {\"center\": [0, 0], \"radius\": 5}}";
         Finding told = judged("circle", circle, method);
-        assertToldFirst(english, told.said().in("en"));
-        assertToldFirst(russian, told.said().in("ru"));
+        assertToldFirst(english, told.message().in("en"));
+        assertToldFirst(russian, told.message().in("ru"));
         return told.pictures();
     }
 

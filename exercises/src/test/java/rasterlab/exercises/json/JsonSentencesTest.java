@@ -63,15 +63,15 @@ class JsonSentencesTest {
 
     @Test
     void areSaidAsBefore() {
-        List<String> said = SentencesFile.ofField(READERS, VALUES, JsonSentencesTest::said);
+        List<String> said = SentencesFile.ofField(READERS, VALUES, JsonSentencesTest::sentence);
         for (String whole : List.of("7", "[]", "{\"g\": 1}", "[{}, {\"g\": 1}]", "[{}, 7]")) {
-            said.add("whole " + whole + ": " + said(fields -> "read", whole));
+            said.add("whole " + whole + ": " + sentence(fields -> "read", whole));
             said.add("array " + whole + ": " + saidOfArray(whole));
         }
         assertEquals(SentencesFile.read("fields.txt", said), said);
     }
 
-    private static String said(Function<JsonFields, Object> reader, String json) {
+    private static String sentence(Function<JsonFields, Object> reader, String json) {
         try {
             return "" + reader.apply(JsonFields.parse("a.json", json, "f"));
         } catch (CatalogueException e) {

@@ -42,7 +42,7 @@ class JsonTextTest {
 
     private static void assertRefused(String said, Reading reading) {
         NotJson refused = assertThrows(NotJson.class, reading::read);
-        assertEquals(said, refused.said().in("en"));
+        assertEquals(said, refused.phrase().in("en"));
         assertEquals(said, refused.getMessage());
     }
 

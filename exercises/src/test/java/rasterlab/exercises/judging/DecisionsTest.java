@@ -63,7 +63,8 @@ class DecisionsTest {
     void theValueAtAPixelIsTold(String topic, int x, int y, String told)
             throws JsonProcessingException {
         JsonNode none = json("{}");
-        Message said = Decisions.of(topic, json(input(topic)), none, Differing.at(new Pixel(x, y)));
+        Message said =
+                Decisions.of(topic, json(input(topic)), none, DifferingItem.at(new Pixel(x, y)));
         assertEquals(told, said.in("en"));
         assertTrue(said.in("ru").matches("(?s).*[а-я].*"), said.in("ru"));
     }
@@ -83,7 +84,7 @@ class DecisionsTest {
     void theValuesAtAPointOrFaceAreTold(
             String topic, String input, String right, int index, String told)
             throws JsonProcessingException {
-        var at = new Differing(Optional.empty(), OptionalInt.of(index));
+        var at = new DifferingItem(Optional.empty(), OptionalInt.of(index));
         assertEquals(told, Decisions.of(topic, json(input), json(right), at).in("en"));
     }
 
@@ -103,7 +104,7 @@ class DecisionsTest {
             """)
     void theCodesOfASegmentAreTold(String topic, String input, String right, String told)
             throws JsonProcessingException {
-        var at = new Differing(Optional.empty(), OptionalInt.of(0));
+        var at = new DifferingItem(Optional.empty(), OptionalInt.of(0));
         Message said = Decisions.of(topic, json(input), json(right), at);
         assertEquals(told, said.in("en"));
         assertTrue(said.isEmpty() || said.in("ru").matches("(?s)код.*"), said.in("ru"));
@@ -122,7 +123,7 @@ class DecisionsTest {
             throws JsonProcessingException {
         String input = "{\"window\":[[0,0],[8,0],[8,8],[0,8]],\"polygon\":" + polygon + "}";
         JsonNode none = json("{}");
-        Message said = Decisions.of("clip-polygon", json(input), none, Differing.WHOLE);
+        Message said = Decisions.of("clip-polygon", json(input), none, DifferingItem.WHOLE);
         assertEquals(told, said.in("en"));
         assertTrue(said.in("ru").matches("(?s).*[а-я].*"), said.in("ru"));
     }
@@ -131,7 +132,7 @@ class DecisionsTest {
     @DisplayName("the inside of a window whose corners go clockwise is taken for its outside")
     void theWindowMayGoClockwise() throws JsonProcessingException {
         String input = "{\"window\":[[0,8],[8,8],[8,0],[0,0]],\"polygon\":[[1,1],[7,1],[4,6]]}";
-        Message said = Decisions.of("clip-polygon", json(input), json("{}"), Differing.WHOLE);
+        Message said = Decisions.of("clip-polygon", json(input), json("{}"), DifferingItem.WHOLE);
         assertTrue(said.in("en").startsWith("no vertex of the polygon lies beyond"), said.in("en"));
     }
 
@@ -149,7 +150,7 @@ class DecisionsTest {
                 "{\"triangles\":[[[0,0,0.5],[3,0,0.5],[0,3,0.5]],[[0,0,0.25],[2,0,0.25],[0,2,0.25]]],"
                         + "\"size\":[3,3]}";
         String right = "{\"pixels\":[[0,0,2,0.25],[1,0,2,0.25],[2,0,1,0.5]]}";
-        Differing at = Differing.at(new Pixel(x, y));
+        DifferingItem at = DifferingItem.at(new Pixel(x, y));
         assertEquals(told, Decisions.of("depth-triangle", json(input), json(right), at).in("en"));
     }
 }

@@ -16,10 +16,10 @@ class FailureTest {
         Answer threw = Answer.threw("java.lang.ArithmeticException", "/ by zero", 8, "");
         assertEquals(
                 "java.lang.ArithmeticException: / by zero; in line 8",
-                Failure.of(threw, false).said().in("en"));
+                Failure.of(threw, false).message().in("en"));
         assertEquals(
                 "брошено исключение «java.lang.ArithmeticException: / by zero»; в строке 8",
-                Failure.of(threw, false).said().in("ru"));
+                Failure.of(threw, false).message().in("ru"));
     }
 
     @Test
@@ -29,6 +29,6 @@ class FailureTest {
                 Answer.without(Answer.CallEnding.UNUSABLE, "", "12 shares were asked for", "");
         assertEquals(
                 "возвращённое не может быть ответом; проверка сообщает: «12 shares were asked for»",
-                Failure.of(unusable, false).said().in("ru"));
+                Failure.of(unusable, false).message().in("ru"));
     }
 }

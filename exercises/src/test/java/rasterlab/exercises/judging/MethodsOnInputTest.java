@@ -45,7 +45,7 @@ class MethodsOnInputTest {
     void anArrayThatIsNotTheCallersOwnIsToldInRussianToo(String method, String topic, String said) {
         MethodResult tried = onItsHazard(Topics.named(topic), method);
         assertEquals(Verdict.Kind.WRONG, tried.kind());
-        assertEquals(said, tried.said().in("ru"));
+        assertEquals(said, tried.message().in("ru"));
     }
 
     @Test
@@ -134,7 +134,7 @@ class MethodsOnInputTest {
             try {
                 MethodsOnInput.of(topic, Phrase.quoted("input"), input.toString());
             } catch (CatalogueException refused) {
-                String said = refused.said().in("ru");
+                String said = refused.phrase().in("ru");
                 assertFalse(ENGLISH.matcher(said).find(), said);
             }
         }

@@ -38,7 +38,7 @@ class SmallerInputsAnsweredTest {
     private static <C, I, O> List<String> broken(Topic<C, I, O> topic) {
         List<String> broken = new ArrayList<>();
         for (Hazard<I> hazard : topic.hazards()) {
-            Optional<JsonNode> input = told(topic, hazard.input());
+            Optional<JsonNode> input = inputJson(topic, hazard.input());
             if (input.isEmpty()) continue;
             SmallerInputs.of(SmallerInput.first(input.get()))
                     .limit(MOST_OF_A_HAZARD)
@@ -48,7 +48,7 @@ class SmallerInputsAnsweredTest {
     }
 
     /** The input as JSON; empty where it is long, or cannot be told so. */
-    private static <C, I, O> Optional<JsonNode> told(Topic<C, I, O> topic, I input) {
+    private static <C, I, O> Optional<JsonNode> inputJson(Topic<C, I, O> topic, I input) {
         try {
             return Optional.of(Leaves.tree(topic.format(), input))
                     .filter(one -> one.toString().length() <= LONGEST);

@@ -174,7 +174,7 @@ class LineExerciseTest {
                 finding.explanations().stream()
                         .map(causes -> causes.stream().map(Cause::code).toList())
                         .toList());
-        assertFalse(finding.said().in("en").contains("shifted"), finding.said().in("en"));
+        assertFalse(finding.message().in("en").contains("shifted"), finding.message().in("en"));
     }
 
     private static String text(Finding finding, String kind) {
@@ -197,7 +197,7 @@ class LineExerciseTest {
             pixels.plot(pixel.charAt(0) - '0', pixel.charAt(2) - '0');
         Segment segment = new Segment(0, 0, 2, 0);
         Answer answer = answer(Answer.CallEnding.RETURNED, pixels);
-        String said = call(segment, "", false).judge(answer).said().in("ru");
+        String said = call(segment, "", false).judge(answer).message().in("ru");
         assertTrue(said.matches(".*(пиксел).*") && !said.contains("pixel"), said);
     }
 
@@ -244,7 +244,7 @@ class LineExerciseTest {
         twice.plot(1, 0);
         twice.plot(1, 0);
         Finding finding = call(segment, "", true).judge(answer(Answer.CallEnding.RETURNED, twice));
-        assertEquals("pixel (1, 0) is drawn again", finding.said().toString().split(";")[0]);
+        assertEquals("pixel (1, 0) is drawn again", finding.message().toString().split(";")[0]);
     }
 
     @Test
@@ -282,7 +282,7 @@ class LineExerciseTest {
         for (int i = 0; i <= 500; i++) drawn.plot(i == 300 ? x : i, i == 300 ? y : 0);
         Answer answer = answer(Answer.CallEnding.RETURNED, drawn);
         Finding finding = call(segment, "", true).judge(answer);
-        assertTrue(finding.said().toString().startsWith("pixel (300, 0) is missing"));
+        assertTrue(finding.message().toString().startsWith("pixel (300, 0) is missing"));
         PicturePart part = finding.pictures().get(0).part().orElseThrow();
         assertTrue(part.shown().contains(300, 0), part::toString);
         assertEquals(new Pixel(300, 0), part.pixel());

@@ -8,10 +8,10 @@ import rasterlab.engine.line.BresenhamLine;
 /**
  * A right method with one mistake, or with two at once, and what grading should make of it.
  *
- * @param said cause and place in the report
+ * @param message cause and place in the report
  * @param points out of 100, if it is as quick as the reference
  */
-record OneMistake(String name, int points, String said, LineRasterizer method) {
+record OneMistake(String name, int points, String message, LineRasterizer method) {
     private static final LineRasterizer RIGHT = new BresenhamLine();
     private static final LineRasterizer WITHOUT_FIRST = LineMutants.known("first-pixel-left-out");
 

@@ -37,7 +37,7 @@ class OneMistakeTest {
             MarkedMethod marked =
                     MarkedMethod.of(EXERCISE, mistake.method(), CaseSelection.all(seed));
             String shared = marked.shared();
-            assertTrue(shared.contains(mistake.said()), () -> shared + ", seed " + seed);
+            assertTrue(shared.contains(mistake.message()), () -> shared + ", seed " + seed);
             assertEquals(
                     mistake.points(),
                     marked.points() + speed(marked, mistake.method()),
@@ -82,11 +82,11 @@ class OneMistakeTest {
                 };
         TimingInputs left =
                 TopicGradings.named("line").timings(EXERCISE, new Random(5), four).next();
-        assertEquals(left.count(), TimedHere.told(left, onlyGentle).count());
+        assertEquals(left.count(), TimedHere.answers(left, onlyGentle).count());
         List<Set<String>> more =
                 Stream.concat(four.stream(), Stream.of(Set.of("gentle", "left", "up"))).toList();
         TimingInputs all =
                 TopicGradings.named("line").timings(EXERCISE, new Random(5), more).next();
-        assertTrue(TimedHere.told(all, onlyGentle).count() < all.count());
+        assertTrue(TimedHere.answers(all, onlyGentle).count() < all.count());
     }
 }

@@ -78,14 +78,14 @@ class OpenCasesTest {
     }
 
     private static List<String> alone(LineRasterizer method) {
-        return said(MarkedMethod.of(EXERCISE, method, CaseSelection.open()));
+        return messages(MarkedMethod.of(EXERCISE, method, CaseSelection.open()));
     }
 
     private static List<String> among(LineRasterizer method, long seed) {
-        return said(MarkedMethod.of(EXERCISE, method, CaseSelection.all(seed)));
+        return messages(MarkedMethod.of(EXERCISE, method, CaseSelection.all(seed)));
     }
 
-    private static List<String> said(MarkedMethod marked) {
+    private static List<String> messages(MarkedMethod marked) {
         return marked.marking().reports().stream()
                 .filter(one -> one.visibility() == Disclosure.OPEN)
                 .map(

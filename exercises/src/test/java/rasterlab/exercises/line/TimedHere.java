@@ -26,14 +26,16 @@ final class TimedHere {
         for (int round = 0; round < 2; round++) {
             TimingInputs timing = timings.next();
             boolean paid =
-                    timing.mistakes(told(timing, method)).filter(charged::containsAll).isPresent();
+                    timing.mistakes(answers(timing, method))
+                            .filter(charged::containsAll)
+                            .isPresent();
             if (!paid) return false;
         }
         return true;
     }
 
     /** The answer that a child would send. */
-    static TopicGrading.TimedAnswers told(TimingInputs timing, LineRasterizer method) {
+    static TopicGrading.TimedAnswers answers(TimingInputs timing, LineRasterizer method) {
         ItemSum sum = new ItemSum();
         for (int i = 0; i < timing.inputs(); i++) {
             PixelRecording drawn;

@@ -25,8 +25,9 @@ class StepTextTest {
     void fieldsHaveTheLanguagesNamesAndCommas() throws Exception {
         JsonNode fields =
                 OwnJson.MAPPER.readTree("{\"at\": \"left\", \"start\": [-0.5, 1], \"t\": 0.25}");
-        assertEquals("Сторона (at): левая; start = (−0,5; 1); t = 0,25", CLIP_RU.told(fields));
-        assertEquals("Side (at): left, start = (−0.5, 1), t = 0.25", CLIP_EN.told(fields));
+        assertEquals(
+                "Сторона (at): левая; start = (−0,5; 1); t = 0,25", CLIP_RU.fieldsText(fields));
+        assertEquals("Side (at): left, start = (−0.5, 1), t = 0.25", CLIP_EN.fieldsText(fields));
     }
 
     @Test
@@ -34,7 +35,7 @@ class StepTextTest {
         JsonNode fields =
                 OwnJson.MAPPER.readTree(
                         "{\"t\": 6.123233995736766E-17, \"start\": [-1.5e12, 1e-10]}");
-        assertEquals("t = 6,12·10⁻¹⁷; start = (−1,5·10¹²; 1·10⁻¹⁰)", CLIP_RU.told(fields));
+        assertEquals("t = 6,12·10⁻¹⁷; start = (−1,5·10¹²; 1·10⁻¹⁰)", CLIP_RU.fieldsText(fields));
     }
 
     @Test

@@ -19,10 +19,10 @@ class ClaimedMistakesTest {
     void pixelsOnTheAxesSentTwiceCostTheirOwnCasesAlone() {
         Exercise circle = Catalogue.builtIn().named("circle");
         Object textbook = Topics.named("circle").method("bresenham-textbook").implementation();
-        TriedMethod tried =
-                TriedMethod.on(
+        GradedMethod tried =
+                GradedMethod.on(
                         circle,
-                        TriedMethod.calls(circle, TopicGradings.of(circle), SEED),
+                        GradedMethod.calls(circle, TopicGradings.of(circle), SEED),
                         textbook);
         List<String> own =
                 circle.cases().stream()

@@ -89,7 +89,7 @@ class FaultyMethodToldTest {
     void aSentenceOnTheCounterexampleIsNotToldTwice() {
         List<Message> told =
                 marking("line-bresenham", "bresenham-textbook").reports().stream()
-                        .map(one -> one.said())
+                        .map(one -> one.explanation())
                         .filter(said -> said.in("en").startsWith("broken property"))
                         .toList();
         assertFalse(told.isEmpty());
@@ -102,8 +102,8 @@ class FaultyMethodToldTest {
 
     private static Marking marking(String id, String method) {
         Exercise exercise = Catalogue.builtIn().named(id);
-        var calls = TriedMethod.calls(exercise, TopicGradings.of(exercise), SEED);
+        var calls = GradedMethod.calls(exercise, TopicGradings.of(exercise), SEED);
         Object faulty = Topics.named(exercise.topic()).method(method).implementation();
-        return TriedMethod.on(exercise, calls, faulty).marking;
+        return GradedMethod.on(exercise, calls, faulty).marking;
     }
 }

@@ -71,6 +71,6 @@ class HazardCasesTest {
         Object right = Topics.named("color").methods().get(0).implementation();
         for (GradedCall call : calls)
             assertTrue(
-                    call.judge(TriedMethod.answer(call, right)).right(), call.input().toString());
+                    call.judge(GradedMethod.answer(call, right)).right(), call.input().toString());
     }
 }

@@ -34,7 +34,7 @@ class IdleProgramTest {
                 .filter(id -> !BUSY.contains(id));
     }
 
-    private static TriedMethod tried(String id, Object program) {
+    private static GradedMethod tried(String id, Object program) {
         Exercise exercise = CATALOGUE.named(id);
         List<Case> open =
                 exercise.cases().stream()
@@ -43,9 +43,9 @@ class IdleProgramTest {
         return Marked.on(exercise, open, TopicGradings.of(exercise), program, 1);
     }
 
-    private static String told(TriedMethod tried, String language) {
+    private static String readableText(GradedMethod tried, String language) {
         return tried.marking.reports().stream()
-                .map(CaseReport::said)
+                .map(CaseReport::explanation)
                 .map(said -> said.in(language))
                 .collect(joining("\n"));
     }
@@ -53,13 +53,16 @@ class IdleProgramTest {
     @ParameterizedTest(name = "the starter of {0} is told a mistake that it does not make")
     @MethodSource("idle")
     void aProgramThatDoesNothingIsToldNoOtherMistake(String id) throws Exception {
-        TriedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
+        GradedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
         List<Message.Sentence> shared = tried.marking.shared().sentences();
         assertEquals(id.equals("depth-triangle") ? 3 : 2, shared.size(), shared.toString());
         assertTrue(shared.get(1).key().startsWith("mistake.nothing-"), shared.toString());
-        assertFalse(told(tried, "en").contains("the same comes out if"), told(tried, "en"));
-        assertFalse(told(tried, "en").contains("answers the same"), told(tried, "en"));
-        assertFalse(told(tried, "ru").contains("тот же ответ"), told(tried, "ru"));
+        assertFalse(
+                readableText(tried, "en").contains("the same comes out if"),
+                readableText(tried, "en"));
+        assertFalse(
+                readableText(tried, "en").contains("answers the same"), readableText(tried, "en"));
+        assertFalse(readableText(tried, "ru").contains("тот же ответ"), readableText(tried, "ru"));
     }
 
     @ParameterizedTest(name = "the starter of {0} is told otherwise what it does")
@@ -74,7 +77,7 @@ class IdleProgramTest {
             point-in-polygon | One mistake explains all that is wrong – the program answers false to everything.
             """)
     void whatTheProgramDoesIsTold(String id, String said) throws Exception {
-        TriedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
+        GradedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
         assertEquals(said, tried.marking.shared().in("en"));
     }
 
@@ -87,13 +90,13 @@ class IdleProgramTest {
             spline-function | equal-knots | здесь надо было выбросить IllegalArgumentException: x[
             """)
     void aRefusalThatWasAskedForIsTold(String id, String name, String said) throws Exception {
-        TriedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
+        GradedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
         Message told =
                 tried.marking.reports().stream()
                         .filter(one -> one.name().equals(name))
                         .findFirst()
                         .orElseThrow()
-                        .said();
+                        .explanation();
         String language = said.startsWith("an ") ? "en" : "ru";
         assertTrue(told.in(language).startsWith(said), told.in(language));
     }
@@ -106,6 +109,6 @@ class IdleProgramTest {
                         .findFirst()
                         .orElseThrow()
                         .implementation();
-        assertTrue(told(tried("clip-polygon", mutant), "en").contains("is left out"));
+        assertTrue(readableText(tried("clip-polygon", mutant), "en").contains("is left out"));
     }
 }

@@ -26,8 +26,9 @@ public final class Marked {
      * @param method of the topic's contract
      * @param seed draws the generated cases
      */
-    public static TriedMethod on(
+    public static GradedMethod on(
             Exercise exercise, List<Case> cases, TopicGrading grading, Object method, long seed) {
-        return TriedMethod.on(exercise, TriedMethod.calls(exercise, cases, grading, seed), method);
+        return GradedMethod.on(
+                exercise, GradedMethod.calls(exercise, cases, grading, seed), method);
     }
 }

@@ -59,10 +59,10 @@ class MessageLengthTest {
             for (GradedCall call : few(grading.calls(one, exercise.tolerance(), SEED)))
                 for (Object method : wrong) {
                     if (one.property().isEmpty() && toldOnce.contains(method)) continue;
-                    Answer answer = TriedMethod.answer(call, method);
+                    Answer answer = GradedMethod.answer(call, method);
                     if (call.check(answer).right()) continue;
                     toldOnce.add(method);
-                    requireShort(one, call.judge(answer).said(), call.breaksProperty(answer));
+                    requireShort(one, call.judge(answer).message(), call.breaksProperty(answer));
                 }
         assertFalse(toldOnce.isEmpty(), "no mistake shows");
     }

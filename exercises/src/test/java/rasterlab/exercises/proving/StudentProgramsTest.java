@@ -122,7 +122,7 @@ class StudentProgramsTest {
         List<String> names = names(exercise, kept(file));
         Object program = CompiledProgram.of(Files.readString(file));
         for (long seed = SEED; seed < SEED + SEEDS; seed++) {
-            TriedMethod tried = TriedMethod.on(exercise, calls(exercise, seed), program);
+            GradedMethod tried = GradedMethod.on(exercise, calls(exercise, seed), program);
             List<String> failed = tried.failed();
             List<String> lost = names.stream().filter(failed::contains).toList();
             assertEquals(List.of(), lost, "seed " + seed);
@@ -133,13 +133,13 @@ class StudentProgramsTest {
     @ParameterizedTest(name = "{0} is not told its mistake, or keeps all points")
     @MethodSource("wrong")
     void aWrongProgramIsToldItsMistake(Path file) throws Exception {
-        TriedMethod tried = tried(file);
+        GradedMethod tried = tried(file);
         assertFalse(tried.failed().isEmpty(), "it loses no points");
         if (isMarked(file, "unnamed")) return;
         String mistake = file.getFileName().toString().split("\\.")[0];
         for (String language : List.of("en", "ru")) {
-            String told = told(tried.marking, language);
-            assertTrue(told.contains(said(exercise(file).topic(), mistake, language)), told);
+            String told = readableText(tried.marking, language);
+            assertTrue(told.contains(mistakeText(exercise(file).topic(), mistake, language)), told);
         }
     }
 
@@ -168,7 +168,7 @@ class StudentProgramsTest {
                 exercise.cases().stream()
                         .filter(one -> one.visibility() == Disclosure.OPEN)
                         .toList();
-        TriedMethod tried =
+        GradedMethod tried =
                 Marked.on(
                         exercise,
                         open,
@@ -177,23 +177,23 @@ class StudentProgramsTest {
                         SEED);
         String mistake = file.getFileName().toString().split("\\.")[0];
         for (String language : List.of("en", "ru")) {
-            String told = told(tried.marking, language);
-            assertTrue(told.contains(said(exercise.topic(), mistake, language)), told);
+            String told = readableText(tried.marking, language);
+            assertTrue(told.contains(mistakeText(exercise.topic(), mistake, language)), told);
         }
     }
 
     /** All that the student can read: hidden cases tell the class of the error alone. */
-    private static String told(Marking marking, String language) {
+    private static String readableText(Marking marking, String language) {
         String cases =
                 marking.reports().stream()
                         .filter(one -> one.visibility() == Disclosure.OPEN)
-                        .map(CaseReport::said)
+                        .map(CaseReport::explanation)
                         .map(said -> said.in(language))
                         .collect(joining("\n"));
         return cases + "\n" + marking.shared().in(language);
     }
 
-    private static String said(String topic, String mistake, String language) {
+    private static String mistakeText(String topic, String mistake, String language) {
         for (String key :
                 List.of(
                         "mutant." + topic + "." + mistake,
@@ -220,16 +220,16 @@ class StudentProgramsTest {
         return Catalogue.builtIn().named(PROGRAMS.relativize(file).getName(0).toString());
     }
 
-    private static TriedMethod tried(Path file) throws Exception {
+    private static GradedMethod tried(Path file) throws Exception {
         Exercise exercise = exercise(file);
         Object program = CompiledProgram.of(Files.readString(file));
-        return TriedMethod.on(exercise, calls(exercise, SEED), program);
+        return GradedMethod.on(exercise, calls(exercise, SEED), program);
     }
 
     /** The calls of a seed, whose right answers are worked out once for all its programs. */
     private static Map<Case, List<TopicGrading.GradedCall>> calls(Exercise exercise, long seed) {
         return CALLS.computeIfAbsent(
                 exercise.id() + " " + seed,
-                key -> TriedMethod.calls(exercise, TopicGradings.of(exercise), seed));
+                key -> GradedMethod.calls(exercise, TopicGradings.of(exercise), seed));
     }
 }

@@ -106,7 +106,7 @@ class CapsTest {
                         FACE.formatted("return new double[3_000_000];"));
         assertEquals(GradingVerdict.OUTPUT_LIMIT, huge.verdict(), huge.message());
         assertEquals("its answer is longer than what is taken", huge.message());
-        assertEquals("ответ длиннее, чем принимается", huge.said().in("ru"));
+        assertEquals("ответ длиннее, чем принимается", huge.explanation().in("ru"));
     }
 
     @Test

@@ -31,10 +31,10 @@ class ForbiddenUsesTest {
     private static Report report;
 
     /**
-     * @param said how the message begins
+     * @param message how the message begins
      * @param code in one line
      */
-    private record Use(String name, String said, String code) {
+    private record Use(String name, String message, String code) {
         @Override
         public String toString() {
             return name;
@@ -122,7 +122,7 @@ class ForbiddenUsesTest {
                 report.diagnostics().stream()
                         .filter(one -> one.line() == line && one.column() == 0)
                         .map(Diagnostic::message)
-                        .anyMatch(message -> message.startsWith(use.said)),
+                        .anyMatch(message -> message.startsWith(use.message)),
                 () -> "nothing in line " + line + " of " + report.diagnostics());
     }
 }

@@ -51,7 +51,7 @@ class OneMistakeGradedTest {
     private static List<String> saidOfSpeed(Report report) {
         return report.cases().stream()
                 .filter(one -> one.name().equals("speed"))
-                .flatMap(one -> one.said().sentences().stream())
+                .flatMap(one -> one.explanation().sentences().stream())
                 .map(Message.Sentence::key)
                 .toList();
     }

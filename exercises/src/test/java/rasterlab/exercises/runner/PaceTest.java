@@ -91,19 +91,19 @@ class PaceTest {
     @Test
     @DisplayName("a child that tells a shorter time than it took is believed")
     void aChildIsHeldToTheWallClock() {
-        assertTrue(told(375, 300, 250, 200).isCredible());
-        assertFalse(told(900, 3, 250, 200).isCredible());
-        assertFalse(told(900, -3, 250, 200).isCredible());
-        assertFalse(told(900, -3, 250, 200).isSettled());
-        Pace longer = told(900, 5000, 900, 900);
+        assertTrue(paceOf(375, 300, 250, 200).isCredible());
+        assertFalse(paceOf(900, 3, 250, 200).isCredible());
+        assertFalse(paceOf(900, -3, 250, 200).isCredible());
+        assertFalse(paceOf(900, -3, 250, 200).isSettled());
+        Pace longer = paceOf(900, 5000, 900, 900);
         assertEquals(1, longer.ratio().median(), "longer than the wall clock");
-        assertEquals(4.5, told(900, 3, 200, 200).wallRatio().median());
+        assertEquals(4.5, paceOf(900, 3, 200, 200).wallRatio().median());
     }
 
     @Test
     @DisplayName("on a busy machine no child is believed")
     void whatDelaysTheReferenceIsNoReasonForDoubt() {
-        assertTrue(told(1500, 300, 800, 200).isCredible());
+        assertTrue(paceOf(1500, 300, 800, 200).isCredible());
     }
 
     @Test
@@ -123,7 +123,7 @@ class PaceTest {
         pace.add(timed(program, program), PIXELS, timed(reference, reference), PIXELS);
     }
 
-    private static Pace told(long wall, long own, long referenceWall, long referenceOwn) {
+    private static Pace paceOf(long wall, long own, long referenceWall, long referenceOwn) {
         Pace pace = new Pace();
         for (int i = 0; i < 2; i++)
             pace.add(timed(wall, own), PIXELS, timed(referenceWall, referenceOwn), PIXELS);

@@ -17,7 +17,7 @@ import rasterlab.exercises.Exercise.Criterion;
 import rasterlab.exercises.Exercise.ExerciseTolerance;
 import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.marking.TriedCall;
-import rasterlab.exercises.proving.TriedMethod;
+import rasterlab.exercises.proving.GradedMethod;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.PixelRows;
@@ -59,7 +59,7 @@ class ShrinkingTest {
     }
 
     private static TriedCall tried(GradedCall call, LineRasterizer method) {
-        return TriedCall.answered(call, TriedMethod.answer(call, method));
+        return TriedCall.answered(call, GradedMethod.answer(call, method));
     }
 
     private static GradedCall call(String from, String to) {
@@ -86,7 +86,7 @@ class ShrinkingTest {
         TriedCall shrunk = new Shrinking(student).of(tried(LONG, LEFT_IS_LOW));
         assertEquals("{\"from\":[0,0],\"to\":[-5,1]}", shrunk.call().input().toString());
         assertTrue(student.asked <= Shrinking.MOST_CALLS, student.asked + " calls");
-        String said = shrunk.shown().said().in("en");
+        String said = shrunk.shown().message().in("en");
         assertTrue(
                 said.contains("smallest counterexample: {\"from\":[0,0],\"to\":[-5,1]}")
                         && said.contains("beside it: {\"from\":[-5,1],\"to\":[0,0]}")

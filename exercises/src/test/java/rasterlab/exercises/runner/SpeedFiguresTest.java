@@ -85,7 +85,7 @@ class SpeedFiguresTest {
                         .toList();
         TopicGrading.TimingInputs timing = topic.timings(exercise, new Random(1), List.of()).next();
         List<SpeedFigures.MethodSpeed> beside =
-                new Classics().beside(exercise, topic, timing, topic.right(), calls);
+                new Classics().classicsFor(exercise, topic, timing, topic.right(), calls);
         assertFalse(beside.isEmpty());
         assertTrue(beside.stream().anyMatch(one -> one.error() <= 1), beside::toString);
         assertTrue(

@@ -53,7 +53,7 @@ class WorstSourcesTest {
     private static WarmCompiler compiler;
 
     /** The cost of looking at a source. */
-    private record Cost(List<Diagnostic> said, Duration time, long bytes) {}
+    private record Cost(List<Diagnostic> diagnostics, Duration time, long bytes) {}
 
     @BeforeAll
     static void warmUp() throws IOException {
@@ -72,13 +72,16 @@ class WorstSourcesTest {
         assertTrue(source.getBytes(StandardCharsets.UTF_8).length <= ALL, "the source is too long");
         // ends the test where the bound is missed by far
         Cost cost = assertTimeoutPreemptively(Duration.ofMinutes(5), () -> costOf(source));
-        String words = cost.said().stream().map(WorstSourcesTest::told).collect(joining("\n"));
+        String words =
+                cost.diagnostics().stream()
+                        .map(WorstSourcesTest::diagnosticText)
+                        .collect(joining("\n"));
         assertTrue(words.contains(said), () -> said + " is not in " + words);
         assertTrue(cost.time().compareTo(MOST_TIME) <= 0, () -> cost.time() + " of the processor");
         assertTrue(cost.bytes() <= MOST_BYTES, () -> (cost.bytes() >> 20) + " MiB were allocated");
     }
 
-    private static String told(Diagnostic one) {
+    private static String diagnosticText(Diagnostic one) {
         return one.line() + " " + one.message();
     }
 

@@ -31,7 +31,7 @@ class WrongAnswersTest {
                         .get(0);
         assertEquals(verdict, first.verdict().code(), first.message());
         assertTrue(first.message().contains(said), first.message());
-        String translated = first.said().in("ru");
+        String translated = first.explanation().in("ru");
         assertTrue(translated.contains(russian), translated);
     }
 

@@ -66,13 +66,13 @@ class PlaceSentencesTest {
 
     @Test
     void areSaidAsBefore() {
-        List<String> said = SentencesFile.ofField(READERS, VALUES, PlaceSentencesTest::said);
+        List<String> said = SentencesFile.ofField(READERS, VALUES, PlaceSentencesTest::sentence);
         for (String whole : List.of("", "{", "{} 7", "{\"f\": 1, \"f\": 2}", "[1"))
-            said.add("whole " + whole + ": " + said(place -> "read", whole));
+            said.add("whole " + whole + ": " + sentence(place -> "read", whole));
         assertEquals(SentencesFile.read("places.txt", said), said);
     }
 
-    private static String said(Function<SceneJsonPlace, Object> reader, String json) {
+    private static String sentence(Function<SceneJsonPlace, Object> reader, String json) {
         try {
             return "" + reader.apply(SceneJsonPlace.root(json).at("f"));
         } catch (IllegalArgumentException e) {

@@ -23,10 +23,10 @@ class PicturePartTest {
         CasePicture picture = line(1001, 500);
         PicturePart part = picture.part().orElseThrow();
         assertFalse(part.isWhole());
-        assertEquals("columns 460..539 of 0..1000, rows 0..0 of 0..0", part.said().in("en"));
-        assertEquals("столбцы 460..539 из 0..1000, строки 0..0 из 0..0", part.said().in("ru"));
+        assertEquals("columns 460..539 of 0..1000, rows 0..0 of 0..0", part.message().in("en"));
+        assertEquals("столбцы 460..539 из 0..1000, строки 0..0 из 0..0", part.message().in("ru"));
         assertEquals(
-                part.said().in("en"), picture.text().in("ru").lines().findFirst().orElseThrow());
+                part.message().in("en"), picture.text().in("ru").lines().findFirst().orElseThrow());
         assertEquals(List.of("#".repeat(80)), rows(picture));
     }
 

@@ -122,7 +122,7 @@ class ReportTest {
         assertEquals(verdict, speed.verdict());
         var told = PublishedVerdict.of(verdict);
         assertEquals("ok", told.code(), "scripts know no other");
-        assertEquals(verdict.code(), told.told(speed.points(), of));
+        assertEquals(verdict.code(), told.codeFor(speed.points(), of));
     }
 
     @ParameterizedTest(name = "times, ratio or what full points need are not told: {1}")

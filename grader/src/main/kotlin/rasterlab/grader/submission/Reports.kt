@@ -139,7 +139,7 @@ class Reports(
             .bind("verdict", speed.verdict().name)
             .bind("points", speed.points())
             .bind("message", speed.message())
-            .bind("data", speed.said().data())
+            .bind("data", speed.explanation().data())
             .execute()
         handle
             .createUpdate("UPDATE results SET speed = :points, nanos_per_item = :nanos WHERE id = :result")
@@ -170,7 +170,7 @@ class Reports(
             .bind("points", case.points())
             .bind("of", case.of())
             .bind("message", case.message())
-            .bind("data", case.said().data())
+            .bind("data", case.explanation().data())
             .bind("scene", case.scene())
             .execute()
         PictureRows(handle, result).insert(position, case.pictures())
@@ -191,7 +191,7 @@ class Reports(
             .bind("line", diagnostic.line())
             .bind("column", diagnostic.column())
             .bind("message", diagnostic.message())
-            .bind("data", diagnostic.said().data())
+            .bind("data", diagnostic.explanation().data())
             .execute()
     }
 

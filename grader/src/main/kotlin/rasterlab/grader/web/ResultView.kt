@@ -171,7 +171,7 @@ private fun FlowContent.case(
     sheet: SheetResult?,
 ) = article("case card") {
     div("row") {
-        status(texts, case.verdict.told(case.points, case.of), "")
+        status(texts, case.verdict.codeFor(case.points, case.of), "")
         h3 { +case.title }
         if (case.visibility != Disclosure.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
         span("earned") { +earned(texts, case) }
@@ -243,7 +243,7 @@ private fun FlowContent.pictures(
     pictures: List<PublishedPicture>,
 ) {
     pictures.firstNotNullOfOrNull { it.part.getOrNull() }?.takeIf { !it.isWhole }?.let { part ->
-        p("legend") { +texts.say("result.part", part.said().`in`(texts.language)) }
+        p("legend") { +texts.say("result.part", part.message().`in`(texts.language)) }
     }
     val pixels = pictures.any { isOfPixels(it) }
     div(if (pixels) "pictures pixels" else "pictures") {

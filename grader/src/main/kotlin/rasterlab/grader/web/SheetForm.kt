@@ -68,7 +68,7 @@ internal fun FlowContent.walkData(
     pre("data") {
         +question
             .before()
-            .mapIndexed { index, step -> "${index + 1}. ${words.told(question.shown(step))}" }
+            .mapIndexed { index, step -> "${index + 1}. ${words.fieldsText(question.shown(step))}" }
             .joinToString("\n")
     }
 }
@@ -80,7 +80,7 @@ private fun FlowContent.step(
     typed: TypedSheet,
 ) = fieldSet("step") {
     legend { +texts.say("sheet.step", question.number()) }
-    if (!question.told().isEmpty) p { +texts.say("sheet.given", words.told(question.told())) }
+    if (!question.givenFields().isEmpty) p { +texts.say("sheet.given", words.fieldsText(question.givenFields())) }
     div("answers") {
         SheetField.of(question).forEach { part ->
             if (part.choices.isEmpty()) numbers(texts, words, part, typed) else choice(texts, words, part, typed)

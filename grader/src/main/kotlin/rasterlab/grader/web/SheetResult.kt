@@ -56,13 +56,13 @@ internal fun FlowContent.stepResult(
     val answer = sheet.answer(question)
     p("question") {
         +question.rules().question(texts.language)
-        if (!question.told().isEmpty) +" ${texts.say("sheet.given", words.told(question.told()))}"
+        if (!question.givenFields().isEmpty) +" ${texts.say("sheet.given", words.fieldsText(question.givenFields()))}"
     }
     dl("predicted") {
         dt { +texts.say("sheet.mine") }
-        dd { +if (question.isOpen(answer)) texts.say("sheet.open") else words.told(answered(question, answer)) }
+        dd { +if (question.isOpen(answer)) texts.say("sheet.open") else words.fieldsText(answered(question, answer)) }
         dt { +texts.say("sheet.right") }
-        dd { +words.told(question.right()) }
+        dd { +words.fieldsText(question.right()) }
         dt { +texts.say("sheet.why") }
         dd { +words.localised(question.why().`in`(texts.language)) }
     }

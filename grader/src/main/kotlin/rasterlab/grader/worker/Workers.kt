@@ -36,7 +36,7 @@ data class Worker(
             serves: Boolean,
             isolation: Isolation,
             slots: Int,
-        ) = Worker(name, HostName.own(), serves, isolation.said(), slots)
+        ) = Worker(name, HostName.own(), serves, isolation.message(), slots)
     }
 }
 

@@ -190,7 +190,7 @@ open class ReportsTest {
             case.verdict(),
             case.points(),
             case.of(),
-            case.said(),
+            case.explanation(),
             case.scene(),
             pictures,
         )

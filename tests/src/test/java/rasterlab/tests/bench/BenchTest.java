@@ -26,22 +26,27 @@ class BenchTest {
         assertEquals(
                 "./lab bench: unknown group 'nosuch'; allowed are pipeline, plan, raster, window"
                         + " (see `./lab bench --help`)",
-                said());
+                errorText());
     }
 
     @Test
     void anUnknownWorkIsAnsweredWithThoseThereAre() {
         assertEquals(2, run("raster", "--only", "nosuch"));
-        assertTrue(said().startsWith("./lab bench: no goal has 'nosuch' in its work; "), said());
-        for (Goal goal : RasterGoals.all()) assertTrue(said().contains(goal.work()), said());
-        assertTrue(said().matches("[^\\[\\]]*"), said());
+        assertTrue(
+                errorText().startsWith("./lab bench: no goal has 'nosuch' in its work; "),
+                errorText());
+        for (Goal goal : RasterGoals.all())
+            assertTrue(errorText().contains(goal.work()), errorText());
+        assertTrue(errorText().matches("[^\\[\\]]*"), errorText());
     }
 
     @Test
     void anUnknownWorkOfThePipelineIsAnsweredToo() {
         assertEquals(2, run("pipeline", "--only", "nosuch"));
-        assertTrue(said().startsWith("./lab bench: no goal has 'nosuch' in its work; "), said());
-        assertTrue(said().contains("; threads; clear; "), said());
+        assertTrue(
+                errorText().startsWith("./lab bench: no goal has 'nosuch' in its work; "),
+                errorText());
+        assertTrue(errorText().contains("; threads; clear; "), errorText());
     }
 
     @Test
@@ -54,7 +59,8 @@ class BenchTest {
                         "--only goes with the groups raster and pipeline, not with plan and window",
                         "--minutes goes with the group window, not with raster",
                         "--minutes must be at least 0, got -1"),
-                said().lines()
+                errorText()
+                        .lines()
                         .map(line -> line.replaceAll("^./lab bench: | \\(see.*", ""))
                         .toList());
     }
@@ -75,9 +81,9 @@ class BenchTest {
     void tellsInRussian(String call) {
         assertEquals(2, run(call.split(" ")));
         assertTrue(
-                said().matches("./lab bench: .*[а-яё]{3}.* \\(см\\. `./lab bench --help`\\)"),
-                said());
-        String told = said().replaceAll("`[^`]*`|; есть .*|^./lab bench", "");
+                errorText().matches("./lab bench: .*[а-яё]{3}.* \\(см\\. `./lab bench --help`\\)"),
+                errorText());
+        String told = errorText().replaceAll("`[^`]*`|; есть .*|^./lab bench", "");
         assertTrue(told.matches("(?s)(?!.*\\b[a-z]{2,} [a-z]{2,}).*"), told);
         assertTrue(!told.contains("'"), told);
     }
@@ -96,7 +102,7 @@ class BenchTest {
     @Test
     void helpIsPrintedInUtf8() {
         assertEquals(0, run("--help", "--lang", "ru"));
-        assertTrue(said().startsWith("Вызов: ./lab bench"), said());
+        assertTrue(errorText().startsWith("Вызов: ./lab bench"), errorText());
     }
 
     private int run(String... arguments) {
@@ -109,7 +115,7 @@ class BenchTest {
         return Console.of(InputStream.nullInputStream(), ascii, ascii, language);
     }
 
-    private String said() {
+    private String errorText() {
         return err.toString(StandardCharsets.UTF_8).strip();
     }
 }

@@ -98,7 +98,7 @@ class ServerWordsTest {
     @MethodSource("rejections")
     void refusalIsSaidInRussian(Rejection rejection) {
         assertTrue(ENGLISH.matcher(rejection.getMessage()).find(), "looks for what is not said");
-        String said = Complaints.said(Language.RUSSIAN, rejection.getMessage());
+        String said = Complaints.translated(Language.RUSSIAN, rejection.getMessage());
         assertFalse(ENGLISH.matcher(said).find(), said);
         assertFalse(Pattern.compile("\\d s\\b").matcher(said).find(), said);
     }

@@ -107,7 +107,7 @@ class RecordRangesTest {
             Matcher number = NUMBER.matcher(record.group(3));
             while (number.find()) {
                 String component = number.group(1);
-                String said = said(component, record.group(1));
+                String said = paramText(component, record.group(1));
                 if (!RANGE.matcher(said).find()) continue;
                 boolean checked = Pattern.compile("\\b" + component + "\\b").matcher(check).find();
                 promises.add(new Promise(name + "." + component, said, checked));
@@ -116,7 +116,7 @@ class RecordRangesTest {
         return promises;
     }
 
-    private static String said(String component, String comment) {
+    private static String paramText(String component, String comment) {
         String words = comment.replaceAll("\\s*\\n\\s*\\*?\\s*", " ");
         Matcher said = Pattern.compile("@param " + component + " (.*?)(?= @|$)").matcher(words);
         return said.find() ? said.group(1).strip() : "";

@@ -97,7 +97,7 @@ enum Blame {
         this.said = said;
     }
 
-    String said() {
+    String text() {
         return said;
     }
 

@@ -84,7 +84,7 @@ class EventWatchdogTest {
     @Test
     void listenerThatSleepsIsBlamed() throws Exception {
         String fault = fault(() -> TimeUnit.MILLISECONDS.sleep(5));
-        assertTrue(fault.contains(Blame.WAITS.said()), fault);
+        assertTrue(fault.contains(Blame.WAITS.text()), fault);
         assertTrue(fault.contains("EventWatchdogTest.java"), fault);
     }
 
@@ -92,14 +92,14 @@ class EventWatchdogTest {
     void listenerThatWaitsForAnotherThreadIsBlamed() throws Exception {
         var never = new CountDownLatch(1);
         String fault = fault(() -> never.await(5, TimeUnit.MILLISECONDS));
-        assertTrue(fault.contains(Blame.WAITS.said()), fault);
+        assertTrue(fault.contains(Blame.WAITS.text()), fault);
     }
 
     @Test
     void listenerThatReadsAFileIsBlamed(@TempDir Path folder) throws Exception {
         Path file = Files.write(folder.resolve("large"), new byte[1 << 22]);
         String fault = fault(() -> Files.readAllBytes(file));
-        assertTrue(fault.contains(Blame.READS.said()), fault);
+        assertTrue(fault.contains(Blame.READS.text()), fault);
     }
 
     /** The listener runs on one thread: with more, each waits for the others too. */
@@ -121,7 +121,7 @@ class EventWatchdogTest {
         var out = new Raster(640, 640);
         try (var pipeline = new TrianglePipeline(1)) {
             String fault = fault(() -> pipeline.drawOn(0, mesh, view, surface, out, () -> false));
-            assertTrue(fault.contains(Blame.WORKS.said()), fault);
+            assertTrue(fault.contains(Blame.WORKS.text()), fault);
         }
     }
 

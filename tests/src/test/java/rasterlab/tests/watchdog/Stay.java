@@ -90,17 +90,17 @@ final class Stay {
 
     private String fault(Blame blame, StackTraceElement[] stack) {
         return "the event thread "
-                + blame.said()
+                + blame.text()
                 + " in "
                 + name()
                 + Arrays.stream(stack)
                         .limit(FRAMES)
-                        .map(frame -> "\n    at " + said(frame))
+                        .map(frame -> "\n    at " + frameText(frame))
                         .collect(Collectors.joining());
     }
 
     /** The frame's text without the names of loader and module. */
-    private static String said(StackTraceElement frame) {
+    private static String frameText(StackTraceElement frame) {
         return "%s.%s(%s:%d)"
                 .formatted(
                         frame.getClassName(),
@@ -111,13 +111,13 @@ final class Stay {
 
     /** The newest frame of the project's, best of what is shipped. */
     private static String own(StackTraceElement[] stack) {
-        String found = stack.length == 0 ? "nothing" : said(stack[0]);
+        String found = stack.length == 0 ? "nothing" : frameText(stack[0]);
         boolean ofTests = false;
         for (StackTraceElement frame : stack) {
             String name = frame.getClassName();
             if (!name.startsWith("rasterlab.")) continue;
-            if (!name.startsWith("rasterlab.tests.")) return said(frame);
-            if (!ofTests) found = said(frame);
+            if (!name.startsWith("rasterlab.tests.")) return frameText(frame);
+            if (!ofTests) found = frameText(frame);
             ofTests = true;
         }
         return found;

@@ -107,7 +107,7 @@ class ClosedWindowTest {
                         LabSettings.first(Language.ENGLISH).with(LabLook.first(Language.ENGLISH)),
                         Language.ENGLISH,
                         new SettingsFile(settings, each -> problems.add(each.toString())),
-                        LabsFile.beside(settings, each -> problems.add(each.toString())),
+                        LabsFile.nextTo(settings, each -> problems.add(each.toString())),
                         failures::add);
         frame.setVisible(true);
         return frame;

@@ -36,7 +36,7 @@ final class EndedWindow {
                         LabSettings.first(Language.ENGLISH),
                         Language.ENGLISH,
                         new SettingsFile(settings, System.err::println),
-                        LabsFile.beside(settings, System.err::println),
+                        LabsFile.nextTo(settings, System.err::println),
                         Throwable::printStackTrace);
         frame.setVisible(true);
         frame.wear(LabLook.first(Language.RUSSIAN).with(LabTheme.DARK));

@@ -50,7 +50,7 @@ class NextLanguageTest {
                                             LabSettings.first(Language.RUSSIAN),
                                             Language.ENGLISH,
                                             file(),
-                                            LabsFile.beside(settings(), wrong::add),
+                                            LabsFile.nextTo(settings(), wrong::add),
                                             wrong::add);
                             made.addNotify();
                             return made;

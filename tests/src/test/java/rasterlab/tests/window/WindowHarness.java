@@ -98,7 +98,7 @@ abstract class WindowHarness {
                                     Language.ENGLISH,
                                     new SettingsFile(
                                             settings(), each -> problems.add(each.toString())),
-                                    LabsFile.beside(
+                                    LabsFile.nextTo(
                                             settings(), each -> problems.add(each.toString())),
                                     failures::add);
                         });

@@ -28,7 +28,7 @@ class WindowPlanTest extends WindowHarness {
         return window.robot().finder().findByName(frame, name);
     }
 
-    private String said(String label) {
+    private String rowText(String label) {
         return GuiActionRunner.execute(() -> ((JLabel) named(label)).getText());
     }
 
@@ -58,11 +58,11 @@ class WindowPlanTest extends WindowHarness {
     @Test
     void hiddenSurfacesAreDrawnByThePlanThatTheBillTells() {
         showTorus();
-        await("both are measured", () -> !said("least.timed.value").equals("–"));
+        await("both are measured", () -> !rowText("least.timed.value").equals("–"));
         for (String row : new String[] {"error", "measured", "time", "timed", "kept"})
             assertTrue(
-                    said("least." + row + ".value").matches(".*[0-9].*"),
-                    row + ": " + said("least." + row + ".value"));
+                    rowText("least." + row + ".value").matches(".*[0-9].*"),
+                    row + ": " + rowText("least." + row + ".value"));
         String decisions =
                 GuiActionRunner.execute(
                         () -> ((JTextComponent) named("least.decisions")).getText());
@@ -77,7 +77,7 @@ class WindowPlanTest extends WindowHarness {
         showTorus();
         slide("least.levels", 16);
         await("8 levels", () -> levels() == 8);
-        assertEquals("8", said("least.levels.value"));
+        assertEquals("8", rowText("least.levels.value"));
         slide("least.levels", 0);
         await("0 levels", () -> levels() == 0);
         window.button("undo").click();
@@ -112,7 +112,7 @@ class WindowPlanTest extends WindowHarness {
         show("light");
         check("least");
         await("the least light", () -> lit().isPresent());
-        await("both are measured", () -> !said("least.timed.value").equals("–"));
+        await("both are measured", () -> !rowText("least.timed.value").equals("–"));
         slide("least.levels", 32);
         await("16 levels", () -> lit().orElseThrow().picture().plan().tolerance().levels() == 16);
         check("least");
@@ -137,7 +137,7 @@ class WindowPlanTest extends WindowHarness {
         await("uniform for one drawing", () -> method().equals("uniform"));
         slide("times", 100);
         await("fewest for ten thousand", () -> method().equals("fewest"));
-        assertTrue(said("picked.value").contains("fewest"), said("picked.value"));
+        assertTrue(rowText("picked.value").contains("fewest"), rowText("picked.value"));
         window.comboBox("method").selectItem("adaptive");
         await("the method chosen by hand", () -> method().equals("adaptive"));
         assertFalse(window.checkBox("planned").target().isSelected());

@@ -99,7 +99,7 @@ public final class FileDrop extends TransferHandler {
             EventQueue.invokeLater(() -> dropped.accept(path));
             return true;
         } catch (Complaint complaint) {
-            return refuse(Complaints.said(texts.language(), complaint.getMessage()));
+            return refuse(Complaints.translated(texts.language(), complaint.getMessage()));
         }
     }
 

@@ -55,7 +55,7 @@ public final class FileWriting {
         if (failure instanceof Complaint)
             JOptionPane.showMessageDialog(
                     JOptionPane.getFrameForComponent(parent),
-                    Complaints.said(language, failure.getMessage()),
+                    Complaints.translated(language, failure.getMessage()),
                     title,
                     JOptionPane.WARNING_MESSAGE);
         else onFailure.accept(failure);

@@ -46,7 +46,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         String restore(K kept, A read);
 
         /** The last remark on files; "" for none. */
-        String told();
+        String remark();
 
         void tell(String problem);
     }
@@ -119,7 +119,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         Optional<Coming<K, S>> awaited = coming();
         coming = Optional.empty();
         if (awaited.isEmpty()) return;
-        String users = lab.told();
+        String users = lab.remark();
         String own = lab.restore(awaited.get().files(), read);
         lab.tell(
                 Stream.of(users, own)

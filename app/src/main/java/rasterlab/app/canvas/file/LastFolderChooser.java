@@ -64,7 +64,7 @@ public class LastFolderChooser extends JFileChooser {
     protected void refuse(String complaint) {
         JOptionPane.showMessageDialog(
                 this,
-                Complaints.said(language, complaint),
+                Complaints.translated(language, complaint),
                 getUI().getDialogTitle(this),
                 JOptionPane.WARNING_MESSAGE);
     }

@@ -115,15 +115,15 @@ public final class Chips extends JPanel {
     }
 
     /** The hazard that is told over the stage of the lab that is seen there. */
-    public static Optional<ShownHazard> toldIn(Container place) {
+    public static Optional<ShownHazard> shownHazardIn(Container place) {
         return Stream.of(place.getComponents())
                 .filter(Component::isVisible)
                 .flatMap(
                         child ->
                                 child instanceof LabLayout lab
-                                        ? lab.guide().told().stream()
+                                        ? lab.guide().shownHazard().stream()
                                         : child instanceof Container inner
-                                                ? toldIn(inner).stream()
+                                                ? shownHazardIn(inner).stream()
                                                 : Stream.empty())
                 .findFirst();
     }

@@ -41,7 +41,7 @@ public final class GivenInput {
     }
 
     /** The sentence in place of a hazard's explanation. */
-    public static String said(Language language) {
+    public static String sentence(Language language) {
         return Texts.of("canvas", language).text("hazard.given");
     }
 

@@ -117,7 +117,7 @@ final class HazardStrip extends JPanel {
     }
 
     /** The hazard that is told now, if one is. */
-    Optional<ShownHazard> told() {
+    Optional<ShownHazard> shownHazard() {
         return shown.map(hazard -> new ShownHazard(hazard, input, before, judging && !changed()));
     }
 
@@ -183,7 +183,7 @@ final class HazardStrip extends JPanel {
         String method = method();
         Verdict.Kind kind = hazard.recorded().get(method);
         if (kind != null) {
-            verdict.setText(said(method, kind));
+            verdict.setText(verdictText(method, kind));
             verdict.setIcon(swatch(method));
             row.add(verdict);
         }
@@ -201,7 +201,7 @@ final class HazardStrip extends JPanel {
     }
 
     private JButton choice(String method, HazardCase hazard) {
-        String text = said(method, hazard.recorded().get(method));
+        String text = verdictText(method, hazard.recorded().get(method));
         JButton button =
                 button(
                         "hazard.method." + method,
@@ -215,7 +215,7 @@ final class HazardStrip extends JPanel {
         return button;
     }
 
-    private String said(String method, Verdict.Kind kind) {
+    private String verdictText(String method, Verdict.Kind kind) {
         String found = verdicts.text("verdict." + kind.code());
         return texts.text("hazard.verdict", called(method), found);
     }

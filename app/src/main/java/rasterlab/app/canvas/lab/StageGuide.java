@@ -106,8 +106,8 @@ public final class StageGuide extends JPanel implements HasHelp {
         return "";
     }
 
-    Optional<ShownHazard> told() {
-        return strip.told();
+    Optional<ShownHazard> shownHazard() {
+        return strip.shownHazard();
     }
 
     void tellAgain(ShownHazard told, HazardCase words, Component chips) {

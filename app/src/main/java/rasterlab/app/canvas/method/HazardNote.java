@@ -29,7 +29,8 @@ public record HazardNote(
                         Texts.of("study", language).text("verdict." + verdict.kind().code()));
         String detail = verdict.detail();
         boolean failed = verdict.kind() != Verdict.Kind.EXACT;
-        if (failed && !detail.isEmpty()) said += " (" + VerdictDetail.said(language, detail) + ")";
+        if (failed && !detail.isEmpty())
+            said += " (" + VerdictDetail.translated(language, detail) + ")";
         return Stream.concat(Stream.of(said), differences.stream().map(each -> each.in(texts)))
                 .collect(Collectors.joining(". ", "", "."));
     }

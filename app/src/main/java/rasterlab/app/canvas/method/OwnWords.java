@@ -39,7 +39,7 @@ public final class OwnWords {
      */
     public static Optional<String> refusal(String method, String said, Language language) {
         if (!method.equals(OwnMethods.NAME)) return Optional.empty();
-        String words = VerdictDetail.said(language, said);
+        String words = VerdictDetail.translated(language, said);
         String sentence =
                 ComplaintTexts.isAboutProgram(said)
                         ? words
@@ -55,7 +55,8 @@ public final class OwnWords {
      * @param said in English
      */
     public static String reason(String method, String said, Language language) {
-        return refusal(method, said, language).orElseGet(() -> VerdictDetail.said(language, said));
+        return refusal(method, said, language)
+                .orElseGet(() -> VerdictDetail.translated(language, said));
     }
 
     /**

@@ -32,11 +32,11 @@ public final class VerdictDetail {
      * A first difference, a refusal or a deviation; what is none of them, such as a crash in Java's
      * own words, stays as it is.
      */
-    public static String said(Language language, String detail) {
+    public static String translated(Language language, String detail) {
         Texts texts = Texts.of("canvas", language);
         BinaryOperator<String> point =
                 (x, y) -> Shown.point(Integer.parseInt(x), Integer.parseInt(y), texts.locale());
-        return Complaints.said(language, difference(texts, detail, point));
+        return Complaints.translated(language, difference(texts, detail, point));
     }
 
     /** The detail on a terminal, with the numbers as one types them. */

@@ -21,11 +21,11 @@ public record Formula(List<FormulaPart> parts) {
     /** Something that stands in the line. */
     public sealed interface FormulaPart {
         /** The formula for assistive technology and as text. */
-        String said();
+        String plainText();
     }
 
     /** Words or a sign, such as {@code T·M =}. */
-    public record FormulaWords(String said) implements FormulaPart {}
+    public record FormulaWords(String plainText) implements FormulaPart {}
 
     /**
      * A matrix in square brackets.
@@ -65,7 +65,7 @@ public record Formula(List<FormulaPart> parts) {
         }
 
         @Override
-        public String said() {
+        public String plainText() {
             String above = heads.isEmpty() ? "" : String.join(" ", heads) + ": ";
             return cells.stream()
                     .map(row -> String.join(" ", row))
@@ -74,7 +74,7 @@ public record Formula(List<FormulaPart> parts) {
     }
 
     /** The whole line as text. */
-    public String said() {
-        return parts.stream().map(FormulaPart::said).collect(Collectors.joining(" "));
+    public String plainText() {
+        return parts.stream().map(FormulaPart::plainText).collect(Collectors.joining(" "));
     }
 }

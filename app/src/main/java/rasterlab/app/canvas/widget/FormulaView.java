@@ -34,7 +34,7 @@ public final class FormulaView extends SelfDrawn {
     public void show(List<Formula> formulas) {
         if (formulas.equals(lines)) return;
         lines = List.copyOf(formulas);
-        String said = lines.stream().map(Formula::said).collect(Collectors.joining("\n"));
+        String said = lines.stream().map(Formula::plainText).collect(Collectors.joining("\n"));
         getAccessibleContext().setAccessibleName(said);
         revalidate();
         repaint();
@@ -96,7 +96,7 @@ public final class FormulaView extends SelfDrawn {
                 paint(g, matrix, x, top + (height - tall) / 2);
             } else {
                 int base = top + (height - metrics.getHeight()) / 2 + metrics.getAscent();
-                g.drawString(part.said(), x, base);
+                g.drawString(part.plainText(), x, base);
             }
             x += width(part, metrics) + space(metrics);
         }
@@ -143,7 +143,7 @@ public final class FormulaView extends SelfDrawn {
     }
 
     private static int width(Formula.FormulaPart part, FontMetrics metrics) {
-        if (!(part instanceof Formula.Matrix matrix)) return metrics.stringWidth(part.said());
+        if (!(part instanceof Formula.Matrix matrix)) return metrics.stringWidth(part.plainText());
         int width = 2 * bracket(metrics) + (matrix.columns() - 1) * 2 * space(metrics);
         for (int column = 0; column < matrix.columns(); column++)
             width += columnWidth(matrix, column, metrics);

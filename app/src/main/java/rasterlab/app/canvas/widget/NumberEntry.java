@@ -110,14 +110,17 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         List<Double> readings = format.typed.readings(text);
         if (readings.size() > 1)
             return texts.text(
-                    "number.twofold", text.strip(), said(readings.get(0)), said(readings.get(1)));
+                    "number.twofold",
+                    text.strip(),
+                    numberText(readings.get(0)),
+                    numberText(readings.get(1)));
         return texts.text(
                 format.onlyWhole() ? "number.allowed.whole" : "number.allowed",
-                said((Number) getModel().getMinimum()),
-                said((Number) getModel().getMaximum()));
+                numberText((Number) getModel().getMinimum()),
+                numberText((Number) getModel().getMaximum()));
     }
 
-    private String said(Number number) {
+    private String numberText(Number number) {
         return Shown.number(number.doubleValue(), DIGITS, texts.locale());
     }
 
@@ -144,7 +147,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         if (field.getWidth() == 0) return;
         getPreferredSize();
         if (!field.getFont().equals(fitted)) usual = field.getFont();
-        int free = field.getWidth() - beside(field) - SPARE;
+        int free = field.getWidth() - sideRoom(field) - SPARE;
         boolean typed = !field.getText().equals(format.shown);
         String whole = typed ? field.getText() : format.whole;
         boolean rounded = !typed && !fits(whole, smallest(), free);
@@ -171,7 +174,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
     /**
      * The room that a field keeps free on both sides of its text: FlatLaf's padding is no inset.
      */
-    private static int beside(JTextField field) {
+    private static int sideRoom(JTextField field) {
         Insets insets = field.getInsets();
         int beside = insets.left + insets.right;
         if (field.getClientProperty(FlatClientProperties.TEXT_FIELD_PADDING) instanceof Insets in)

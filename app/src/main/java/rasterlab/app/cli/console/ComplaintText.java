@@ -45,7 +45,7 @@ public record ComplaintText(ReportLanguage language) {
     public String note(String english) {
         return language.inWindow() == Language.ENGLISH
                 ? of(english)
-                : Complaints.said(language.inWindow(), english);
+                : Complaints.translated(language.inWindow(), english);
     }
 
     /** A sentence of the engine. */

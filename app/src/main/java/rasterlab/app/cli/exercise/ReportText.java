@@ -164,7 +164,7 @@ final class ReportText {
     }
 
     private List<String> row(PublishedCase judged) {
-        String verdict = judged.verdict().told(judged.points(), judged.of());
+        String verdict = judged.verdict().codeFor(judged.points(), judged.of());
         return List.of(
                 judged.title(),
                 GradingVerdict.word(verdict, language()),
@@ -194,7 +194,7 @@ final class ReportText {
         if (rows.isEmpty()) return difference.text().lines().map(line -> "  " + line);
         Stream<String> part =
                 difference.part().filter(known -> !known.isWhole()).stream()
-                        .map(known -> known.said().in(language()));
+                        .map(known -> known.message().in(language()));
         return Stream.concat(
                 Stream.of("(" + texts.text("legend") + ")"),
                 Stream.concat(part, rows.stream()).map(line -> "  " + line));

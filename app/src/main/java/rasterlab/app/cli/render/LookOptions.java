@@ -159,12 +159,12 @@ final class LookOptions {
 
     private List<ClipPlane> planes(ShownScene shown) {
         return clipPlanes == null
-                ? shown.said().get(SceneSetting.CLIP_PLANES).orElse(List.of())
+                ? shown.settings().get(SceneSetting.CLIP_PLANES).orElse(List.of())
                 : ClipPlaneOption.planes(clipPlanes);
     }
 
     private Optional<DepthCue> cue(ShownScene shown) {
-        if (depthCue == null) return shown.said().get(SceneSetting.DEPTH_CUE);
+        if (depthCue == null) return shown.settings().get(SceneSetting.DEPTH_CUE);
         return depthCue == 0 ? Optional.empty() : Optional.of(new DepthCue(depthCue));
     }
 
@@ -214,7 +214,7 @@ final class LookOptions {
 
     /** Whether the file asks for edges that can be drawn. */
     private static boolean outlines(ShownScene shown, Look look) {
-        return shown.said().get(SceneSetting.OUTLINE).orElse(false)
+        return shown.settings().get(SceneSetting.OUTLINE).orElse(false)
                 && look.shading() != ShadingMethod.WIRE
                 && Renderer.drawsOutlines(look.visibility());
     }
@@ -249,12 +249,12 @@ final class LookOptions {
         if (NONE.equals(stereo)) return Optional.empty();
         if (stereo != null) return Optional.of(Stereo.StereoMode.named(stereo));
         return projection == Projection.PERSPECTIVE
-                ? shown.said().get(SceneSetting.STEREO)
+                ? shown.settings().get(SceneSetting.STEREO)
                 : Optional.empty();
     }
 
     private Set<LightTerm> seenTerms(ShownScene shown) {
-        if (terms == null) return shown.said().get(SceneSetting.TERMS).orElse(LightTerm.all());
+        if (terms == null) return shown.settings().get(SceneSetting.TERMS).orElse(LightTerm.all());
         if (terms.equals(List.of(NONE))) return Set.of();
         Set<LightTerm> seen = new TreeSet<>();
         for (String term : NameList.of("--terms", terms, LightTerm.names()))

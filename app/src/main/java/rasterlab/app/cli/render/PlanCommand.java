@@ -172,7 +172,7 @@ public final class PlanCommand implements Callable<Integer> {
     private RenderRequest request() {
         try {
             ShownScene opened = shown.open(console);
-            double zoom = opened.said().get(SceneSetting.ZOOM).orElse(1.0);
+            double zoom = opened.settings().get(SceneSetting.ZOOM).orElse(1.0);
             Scene scene = opened.scene().zoomed(zoom);
             SphericalView eye = camera == null ? scene.defaultCamera() : camera;
             return new RenderRequest(

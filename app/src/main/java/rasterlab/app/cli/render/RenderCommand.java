@@ -273,7 +273,7 @@ public final class RenderCommand implements Callable<Integer> {
 
     private static Optional<Double> limit(
             ShownScene opened, DepthOption.Limit given, SceneSetting<Double> setting) {
-        return given == null ? opened.said().get(setting) : given.units();
+        return given == null ? opened.settings().get(setting) : given.units();
     }
 
     private static void requireErrors(Look look) {

@@ -15,12 +15,12 @@ import rasterlab.exercises.scene.Settings;
  * A scene to render, with what its file says about how.
  *
  * @param scene seen first as the file says
- * @param said nothing for a scene that the lab has
+ * @param settings nothing for a scene that the lab has
  * @param file that says it; empty for a scene that the lab has
  * @param onCommandLine whether an option was given there
  */
 record ShownScene(
-        Scene scene, Settings said, Optional<Path> file, Predicate<String> onCommandLine) {
+        Scene scene, Settings settings, Optional<Path> file, Predicate<String> onCommandLine) {
     /**
      * The value of an option: that of the command line before that of the file, and that before the
      * default.
@@ -28,7 +28,7 @@ record ShownScene(
      * @param value from the command line, or else the default
      */
     <T> T option(String name, T value, SceneSetting<T> setting) {
-        return onCommandLine.test(name) ? value : said.get(setting).orElse(value);
+        return onCommandLine.test(name) ? value : settings.get(setting).orElse(value);
     }
 
     /**
@@ -37,7 +37,7 @@ record ShownScene(
      * @param value null where the command line has none
      */
     <T> Optional<T> option(T value, SceneSetting<T> setting) {
-        return Optional.ofNullable(value).or(() -> said.get(setting));
+        return Optional.ofNullable(value).or(() -> settings.get(setting));
     }
 
     /**
@@ -46,7 +46,7 @@ record ShownScene(
      * @param value null where the command line has none
      */
     <T> Optional<SceneSetting<T>> ofFile(Object value, SceneSetting<T> setting) {
-        boolean counts = value == null && said.get(setting).isPresent();
+        boolean counts = value == null && settings.get(setting).isPresent();
         return counts ? Optional.of(setting) : Optional.empty();
     }
 
@@ -71,7 +71,7 @@ record ShownScene(
                 from ->
                         SceneText.laid(
                                 from,
-                                said,
+                                settings,
                                 (picture, texture) -> TextureChange.covered(scene, texture)));
     }
 }

@@ -12,7 +12,7 @@ public final class ProgramJson extends JsonSink {
     }
 
     @Override
-    public void said(String name, String english) throws IOException {
+    public void sentence(String name, String english) throws IOException {
         text(name, Complaints.saidToProgram(english));
     }
 }

@@ -30,15 +30,16 @@ record FormWords(Language language) {
         Texts texts = texts(topic);
         words.replaceAll((word, english) -> texts.textOr("word." + word, english));
         if (topic.name().equals("matrix") && language != Language.ENGLISH)
-            for (NamedMatrix matrix : NamedMatrices.all()) words.put(matrix.usage(), said(matrix));
+            for (NamedMatrix matrix : NamedMatrices.all())
+                words.put(matrix.usage(), matrixText(matrix));
         return words;
     }
 
-    private String said(NamedMatrix matrix) {
+    private String matrixText(NamedMatrix matrix) {
         String meaning =
                 Texts.ofTopic("matrix", language)
                         .textOr("matrix." + matrix.name(), matrix.meaning());
-        String inverse = Complaints.said(language, matrix.inverse().text());
+        String inverse = Complaints.translated(language, matrix.inverse().text());
         return Texts.of("cli", "report", language).text("meaning.matrix", meaning, inverse);
     }
 

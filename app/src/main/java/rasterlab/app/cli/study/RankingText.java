@@ -38,7 +38,9 @@ final class RankingText {
                         ? texts.text("rank.title", alike)
                         : texts.text("rank.counted", words.item(study)));
         for (Ranking ranking : rankings)
-            add(lines, ranking.workload() + ": " + (timed ? told(ranking) : counted(ranking)));
+            add(
+                    lines,
+                    ranking.workload() + ": " + (timed ? rankingText(ranking) : counted(ranking)));
         if (timed) addOpen(lines, rankings);
         study.circumstances().ifPresent(how -> addNoise(lines, how));
         return lines;
@@ -48,7 +50,7 @@ final class RankingText {
         lines.addAll(Wrapping.lines(text, StudyTable.WIDTH, String::length));
     }
 
-    private String told(Ranking ranking) {
+    private String rankingText(Ranking ranking) {
         var said = new StringBuilder(words.called(ranking.places().get(0).method()));
         for (int next = 1; next < ranking.places().size(); next++)
             said.append(sign(ranking.toNext(next - 1).order()))

@@ -90,7 +90,7 @@ final class SearchRun implements SearchListener {
         String scene = find.scene().write();
         if (json) console.out().println(scene);
         else {
-            console.out().println(said("search.result", find));
+            console.out().println(findText("search.result", find));
             console.out().println(find.input());
         }
         out.ifPresent(
@@ -101,7 +101,7 @@ final class SearchRun implements SearchListener {
         kept.ifPresent(all -> console.tell("wrote", all.keep(find.scene()).toString()));
     }
 
-    private String said(String key, Find find) {
+    private String findText(String key, Find find) {
         String detail = find.verdict().detail();
         return texts.text(
                 key,
@@ -124,7 +124,7 @@ final class SearchRun implements SearchListener {
 
     @Override
     public void found(Find find) {
-        console.err().println(said("search.found", find));
+        console.err().println(findText("search.found", find));
     }
 
     @Override

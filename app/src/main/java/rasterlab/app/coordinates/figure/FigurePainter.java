@@ -68,7 +68,7 @@ final class FigurePainter {
         else if (mark instanceof Mark.CrossMark cross) cross(cross);
         else if (mark instanceof Mark.WrongMark wrong) wrong(wrong);
         else if (mark instanceof Mark.WordsMark words) words(words);
-        else if (mark instanceof Mark.Beside beside) beside(beside);
+        else if (mark instanceof Mark.Beside beside) drawLabel(beside);
     }
 
     private Color color(MarkInk ink) {
@@ -163,7 +163,7 @@ final class FigurePainter {
         double x = x(dot.at());
         double y = y(dot.at());
         g.fill(new Ellipse2D.Double(x - DOT, y - DOT, 2 * DOT, 2 * DOT));
-        beside(dot.label(), x, y);
+        drawLabel(dot.label(), x, y);
     }
 
     private void cross(Mark.CrossMark cross) {
@@ -172,7 +172,7 @@ final class FigurePainter {
         double y = y(cross.at());
         g.draw(new Line2D.Double(x - CROSS, y - CROSS, x + CROSS, y + CROSS));
         g.draw(new Line2D.Double(x - CROSS, y + CROSS, x + CROSS, y - CROSS));
-        beside(cross.label(), x, y);
+        drawLabel(cross.label(), x, y);
     }
 
     private void wrong(Mark.WrongMark wrong) {
@@ -184,14 +184,14 @@ final class FigurePainter {
         if (words.at().isFinite()) label(words.label(), x(words.at()), y(words.at()));
     }
 
-    private void beside(Mark.Beside beside) {
+    private void drawLabel(Mark.Beside beside) {
         double half = g.getFontMetrics().stringWidth(beside.label()) / 2.0;
         if (beside.at().isFinite())
             label(beside.label(), x(beside.at()) + 6 + half, y(beside.at()));
     }
 
     /** Writes the text where it hides no lines. */
-    private void beside(String label, double x, double y) {
+    private void drawLabel(String label, double x, double y) {
         if (label.isEmpty()) return;
         FontMetrics metrics = g.getFontMetrics();
         Rectangle place =

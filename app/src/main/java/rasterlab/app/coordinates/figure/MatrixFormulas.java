@@ -58,7 +58,7 @@ public final class MatrixFormulas {
     }
 
     /** Name and numbers as the course writes them: {@code ROT3DX(−90°)}. */
-    public static String said(MatrixCall call, Locale locale) {
+    public static String callText(MatrixCall call, Locale locale) {
         NamedMatrix matrix = NamedMatrices.named(call.name());
         if (matrix.parameters().isEmpty()) return call.name();
         return call.numbers().stream()

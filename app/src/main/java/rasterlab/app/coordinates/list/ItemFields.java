@@ -76,7 +76,7 @@ final class ItemFields extends JPanel {
     }
 
     private void addNamed(NumberField field, String name, int index) {
-        var label = new JLabel(said(name));
+        var label = new JLabel(label(name));
         label.setName("number." + index + ".label");
         label.setLabelFor(field);
         add(label);
@@ -86,7 +86,7 @@ final class ItemFields extends JPanel {
     private NumberField field(int index, String name) {
         return new NumberField(
                 "number." + index,
-                texts.text("number.hint", said(name)),
+                texts.text("number.hint", label(name)),
                 -MOST,
                 MOST,
                 step(name),
@@ -95,7 +95,7 @@ final class ItemFields extends JPanel {
     }
 
     /** Letters are the course's in every language, words are translated. */
-    private String said(String name) {
+    private String label(String name) {
         String[] parts = name.split("\\.");
         String word = texts.textOr("number.name." + parts[0], parts[0]);
         return parts.length == 1 ? word : word + "." + parts[1];

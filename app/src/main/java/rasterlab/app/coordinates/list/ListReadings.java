@@ -35,7 +35,7 @@ final class ListReadings {
         String said =
                 item.free()
                         ? texts.text("matrix.free")
-                        : MatrixFormulas.said(item.call(), texts.locale());
+                        : MatrixFormulas.callText(item.call(), texts.locale());
         return number + ". " + said;
     }
 
@@ -172,15 +172,15 @@ final class ListReadings {
                     Arrays.copyOfRange(
                             output.images().coordinates(), i * dimension, (i + 1) * dimension);
             double largest = Arrays.stream(image).map(Math::abs).max().orElse(0);
-            for (double each : image) row.add(beside(each, largest));
+            for (double each : image) row.add(coordinate(each, largest));
             row.add(number(output.h()[i]));
             rows.add(row);
         }
         return rows;
     }
 
-    private String beside(double value, double largest) {
-        return Double.isFinite(value) ? Shown.beside(value, largest, 2, locale) : "—";
+    private String coordinate(double value, double largest) {
+        return Double.isFinite(value) ? Shown.coordinate(value, largest, 2, locale) : "—";
     }
 
     private String number(double value) {

@@ -49,17 +49,17 @@ final class TrialReadings {
                         trial -> {
                             Hazard<?> hazard = model.trials().hazard(trial);
                             return GivenInput.is(hazard.name())
-                                    ? GivenInput.said(texts.language())
+                                    ? GivenInput.sentence(texts.language())
                                     : TopicTexts.of(trial.topic(), texts.language()).hazard(hazard);
                         })
                 .orElse("");
     }
 
     String verdict() {
-        return known().map(scene -> said(scene.verdict())).orElse(NONE);
+        return known().map(scene -> verdictText(scene.verdict())).orElse(NONE);
     }
 
-    private String said(Verdict verdict) {
+    private String verdictText(Verdict verdict) {
         return verdicts.text("verdict." + verdict.kind().code());
     }
 
@@ -174,7 +174,7 @@ final class TrialReadings {
     private List<String> coordinates(String name, TrialScene.TrialPoints placed, int point) {
         double[] xyz = placed.of(point);
         double largest = Arrays.stream(xyz).map(Math::abs).max().orElse(0);
-        return row(name, xyz, placed.h(), point, value -> beside(value, largest));
+        return row(name, xyz, placed.h(), point, value -> coordinate(value, largest));
     }
 
     private List<String> errors(TrialScene.TrialPoints off, int point) {
@@ -194,9 +194,9 @@ final class TrialReadings {
         return row;
     }
 
-    private String beside(double value, double largest) {
+    private String coordinate(double value, double largest) {
         return Double.isFinite(value)
-                ? Shown.beside(value, largest, DECIMALS, texts.locale())
+                ? Shown.coordinate(value, largest, DECIMALS, texts.locale())
                 : NONE;
     }
 

@@ -34,7 +34,7 @@ record SideView(
         Vector up = plane.normal().unit();
         Vector along = line.direction().unit();
         Vector flat = along.minus(up.times(up.dot(along)));
-        Vector right = flat.length() < UPRIGHT ? beside(up) : flat.unit();
+        Vector right = flat.length() < UPRIGHT ? sideways(up) : flat.unit();
         double unit = line.direction().length();
         double height = height(plane, line.from()) / unit;
         boolean reached = Math.abs(height) <= FARTHEST;
@@ -42,7 +42,7 @@ record SideView(
     }
 
     /** A direction at a right angle to {@code up}. */
-    private static Vector beside(Vector up) {
+    private static Vector sideways(Vector up) {
         Vector axis = Math.abs(up.x()) < 0.6 ? new Vector(1, 0, 0) : new Vector(0, 1, 0);
         return up.cross(axis).unit();
     }

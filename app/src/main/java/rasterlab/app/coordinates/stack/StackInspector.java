@@ -58,7 +58,7 @@ final class StackInspector {
                 new NameChooser(
                         "command",
                         Stream.of(StackOp.values()).map(StackOp::code).toList(),
-                        this::said,
+                        this::codeText,
                         code -> {});
         command.setMaximumRowCount(StackOp.values().length);
         command.setToolTipText(texts.text("command.hint"));
@@ -81,7 +81,7 @@ final class StackInspector {
         parts.about().show(texts, "about", "", "");
     }
 
-    private String said(String code) {
+    private String codeText(String code) {
         StackOp op = StackOp.named(code);
         return op == StackOp.CUBE ? texts.text("op.cube") : op.call();
     }

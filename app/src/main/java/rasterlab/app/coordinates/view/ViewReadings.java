@@ -108,7 +108,7 @@ final class ViewReadings {
     }
 
     private Formula.FormulaWords words(MatrixCall call) {
-        return new Formula.FormulaWords(MatrixFormulas.said(call, locale));
+        return new Formula.FormulaWords(MatrixFormulas.callText(call, locale));
     }
 
     private void worked(List<Formula> lines) {

@@ -38,29 +38,29 @@ public record CaseDrawing(
      * The size that there is room for.
      *
      * @param place in the pictures, in their pixels
-     * @param said which part it is; empty where it is all
+     * @param part which part it is; empty where it is all
      */
-    public record PictureCrop(Rectangle place, Optional<PicturePart> said) {}
+    public record PictureCrop(Rectangle place, Optional<PicturePart> part) {}
 
     /**
      * @param from at least one
      * @param language in which their numbers are written
      * @throws IOException if they are no pictures, or grids of several sizes
      */
-    public static CaseDrawing of(List<TriedPicture> from, Language language) throws IOException {
+    public static CaseDrawing of(List<ResultPicture> from, Language language) throws IOException {
         var decoded = new LinkedHashMap<String, BufferedImage>();
-        for (TriedPicture one : from)
+        for (ResultPicture one : from)
             decoded.put(one.kind(), decoded(one.file().in(language.locale().getLanguage())));
-        List<TriedPicture> grids = from.stream().filter(one -> !one.rows().isEmpty()).toList();
+        List<ResultPicture> grids = from.stream().filter(one -> !one.rows().isEmpty()).toList();
         if (grids.isEmpty()) return ofShapes(decoded);
         BufferedImage first = decoded.get(grids.get(0).kind());
-        for (TriedPicture grid : grids) requireAlike(first, decoded.get(grid.kind()));
+        for (ResultPicture grid : grids) requireAlike(first, decoded.get(grid.kind()));
         Dimension told = pixels(grids.get(0).rows());
         int dots = dots(told, first);
         var pixels = dots > 0 ? told : new Dimension(first.getWidth(), first.getHeight());
         var pictures = new LinkedHashMap<String, PaintedPicture>();
         decoded.forEach((kind, picture) -> pictures.put(kind, new FittedPicture(picture)));
-        for (TriedPicture grid : grids)
+        for (ResultPicture grid : grids)
             pictures.put(
                     grid.kind(),
                     RasterPicture.of(decoded.get(grid.kind()), pixels, Math.max(1, dots)));

@@ -33,14 +33,14 @@ public record Notice(String key, List<String> arguments, LocalizedText quoted) {
         return key.isEmpty();
     }
 
-    private Object[] said(Language language) {
+    private Object[] arguments(Language language) {
         return Stream.concat(
-                        arguments.stream().map(each -> Complaints.said(language, each)),
+                        arguments.stream().map(each -> Complaints.translated(language, each)),
                         Stream.of(quoted.in(language)))
                 .toArray();
     }
 
     public String in(Texts texts) {
-        return isEmpty() ? "" : texts.text("notice." + key, said(texts.language()));
+        return isEmpty() ? "" : texts.text("notice." + key, arguments(texts.language()));
     }
 }

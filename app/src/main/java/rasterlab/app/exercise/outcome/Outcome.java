@@ -27,7 +27,7 @@ public record Outcome(
         int attempt,
         String verdict,
         ScorePoints points,
-        List<TriedCase> cases,
+        List<CaseResult> cases,
         List<Remark> remarks,
         LocalizedText isolation,
         double nanosPerItem,
@@ -40,7 +40,7 @@ public record Outcome(
      * @param line from 1; 0 where none is known
      * @param column from 1; 0 where none is known
      */
-    public record Remark(int line, int column, LocalizedText said) {
+    public record Remark(int line, int column, LocalizedText message) {
         public Remark {
             Bounds.requireAtLeast("line", line, 0);
             Bounds.requireAtLeast("column", column, 0);
@@ -48,7 +48,7 @@ public record Outcome(
     }
 
     public Outcome {
-        cases = TriedCase.toldApart(cases);
+        cases = CaseResult.numbered(cases);
         remarks = List.copyOf(remarks);
     }
 
@@ -58,7 +58,7 @@ public record Outcome(
             int attempt,
             String verdict,
             ScorePoints points,
-            List<TriedCase> cases,
+            List<CaseResult> cases,
             List<Remark> remarks,
             LocalizedText isolation,
             double nanosPerItem,
@@ -100,7 +100,7 @@ public record Outcome(
             int attempt,
             String verdict,
             ScorePoints points,
-            List<TriedCase> cases,
+            List<CaseResult> cases,
             List<Remark> remarks,
             LocalizedText isolation,
             double nanosPerItem,
@@ -120,7 +120,7 @@ public record Outcome(
                 0,
                 report.verdict().code(),
                 report.points(),
-                report.cases().stream().map(one -> TriedCase.of(exercise, one)).toList(),
+                report.cases().stream().map(one -> CaseResult.of(exercise, one)).toList(),
                 report.diagnostics().stream()
                         .map(
                                 one ->
@@ -144,22 +144,22 @@ public record Outcome(
     private Optional<String> verdictOf(String name) {
         return cases.stream()
                 .filter(one -> one.name().equals(name))
-                .map(TriedCase::verdict)
+                .map(CaseResult::verdict)
                 .findFirst();
     }
 
     /** The case with the smallest picture of those that went wrong and can be drawn. */
-    public Optional<TriedCase> smallestCounterexample() {
+    public Optional<CaseResult> smallestCounterexample() {
         return cases.stream()
                 .filter(one -> !one.right() && !one.pictures().isEmpty())
-                .min(Comparator.comparingInt(TriedCase::pixels));
+                .min(Comparator.comparingInt(CaseResult::pixels));
     }
 
     /**
      * The case that tells most of what went wrong: the smallest counterexample; where nothing can
      * be drawn, the first that went wrong, since those after a method was stopped were not run.
      */
-    public Optional<TriedCase> mostTelling() {
+    public Optional<CaseResult> mostTelling() {
         return smallestCounterexample()
                 .or(() -> cases.stream().filter(one -> !one.right()).findFirst());
     }

@@ -66,7 +66,7 @@ public final class OutcomeFile {
     private static boolean hasReadableScenes(Outcome outcome) {
         try {
             outcome.cases().stream()
-                    .map(TriedCase::scene)
+                    .map(CaseResult::scene)
                     .filter(scene -> !scene.isEmpty())
                     .forEach(SceneFile::read);
             return true;

@@ -24,9 +24,9 @@ public final class SpeedPicture implements PaintedPicture {
     private final SpeedChart chart;
     private Optional<Painted> painted = Optional.empty();
 
-    private record Asked(Dimension place, double dots, StageColors colors) {}
+    private record SpeedPictureLook(Dimension place, double dots, StageColors colors) {}
 
-    private record Painted(Asked asked, BufferedImage image) {}
+    private record Painted(SpeedPictureLook asked, BufferedImage image) {}
 
     public SpeedPicture(SpeedChart chart) {
         this.chart = chart;
@@ -39,7 +39,7 @@ public final class SpeedPicture implements PaintedPicture {
     @Override
     public void paint(Graphics2D g, Rectangle part, Rectangle place) {
         var asked =
-                new Asked(
+                new SpeedPictureLook(
                         place.getSize(),
                         Math.max(1, g.getTransform().getScaleX()),
                         StageColors.now());
@@ -48,7 +48,7 @@ public final class SpeedPicture implements PaintedPicture {
         g.drawImage(painted.get().image(), place.x, place.y, place.width, place.height, null);
     }
 
-    private BufferedImage image(Asked asked) {
+    private BufferedImage image(SpeedPictureLook asked) {
         Dimension place = asked.place();
         double type =
                 Math.min(

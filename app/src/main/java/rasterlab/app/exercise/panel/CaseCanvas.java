@@ -19,8 +19,8 @@ import javax.swing.Timer;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.exercise.outcome.CaseDrawing;
+import rasterlab.app.exercise.outcome.ResultPicture;
 import rasterlab.app.exercise.outcome.SpeedPicture;
-import rasterlab.app.exercise.outcome.TriedPicture;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.PicturePart;
@@ -45,7 +45,7 @@ public final class CaseCanvas extends SelfDrawn {
     private final transient Consumer<Throwable> onFailure;
     private final transient CaseZoom zoom = new CaseZoom(this);
     private final Timer blink = new Timer(BLINK_MILLIS, e -> turn());
-    private transient List<TriedPicture> pictures = List.of();
+    private transient List<ResultPicture> pictures = List.of();
     private transient CaseDrawing drawing = CaseDrawing.NONE;
     private transient Optional<SpeedPicture> chart = Optional.empty();
 
@@ -68,7 +68,7 @@ public final class CaseCanvas extends SelfDrawn {
         getAccessibleContext().setAccessibleName(texts.text("case.picture"));
     }
 
-    public void show(List<TriedPicture> next) {
+    public void show(List<ResultPicture> next) {
         if (!next.equals(pictures) || chart.isPresent()) {
             pictures = next;
             chart = Optional.empty();
@@ -99,20 +99,20 @@ public final class CaseCanvas extends SelfDrawn {
                 .collect(Collectors.joining("\n"));
     }
 
-    private Stream<String> inWords(TriedPicture drawn) {
+    private Stream<String> inWords(ResultPicture drawn) {
         List<String> rows = drawn.rows();
         if (rows.isEmpty())
             return Stream.of(nameOf(drawn.kind()) + ": " + drawn.text().in(texts.language()));
         Optional<PicturePart> cut = drawn.part().filter(part -> !part.isWhole());
-        return Stream.concat(cut.map(this::said).stream(), rows.stream());
+        return Stream.concat(cut.map(this::partText).stream(), rows.stream());
     }
 
-    private String said(PicturePart part) {
-        String place = part.said().in(texts.locale().getLanguage());
+    private String partText(PicturePart part) {
+        String place = part.message().in(texts.locale().getLanguage());
         return texts.text("case.part", place);
     }
 
-    private CaseDrawing decoded(List<TriedPicture> from) {
+    private CaseDrawing decoded(List<ResultPicture> from) {
         try {
             return CaseDrawing.of(from, texts.language());
         } catch (IOException e) {
@@ -258,7 +258,7 @@ public final class CaseCanvas extends SelfDrawn {
         var whole =
                 new NamedPictures.PicturesToPlace(
                         names, drawing.pixels(), type, this::getFontMetrics, UIScale.scale(GAP));
-        return new PlacedCase.CaseToPlace(drawing, whole, this::said).in(room);
+        return new PlacedCase.CaseToPlace(drawing, whole, this::partText).in(room);
     }
 
     private Font type() {

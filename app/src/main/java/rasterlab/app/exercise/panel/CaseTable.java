@@ -20,7 +20,7 @@ import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
-import rasterlab.app.exercise.outcome.TriedCase;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.VerdictLook;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.CaseReport;
@@ -86,7 +86,7 @@ public final class CaseTable extends JTable {
     @Override
     public void doLayout() {
         int rest = getWidth() - least();
-        boolean roomy = rest >= Math.max(said(SHORTEST), widest(3));
+        boolean roomy = rest >= Math.max(verdictWidth(SHORTEST), widest(3));
         if (roomy && getColumnCount() < COLUMNS.size()) addColumn(verdict);
         if (!roomy && getColumnCount() == COLUMNS.size()) removeColumn(verdict);
         width(0, widest(0));
@@ -97,7 +97,7 @@ public final class CaseTable extends JTable {
 
     /** The width in which no verdict of a case is cut off, so that no place moves by it. */
     int needed() {
-        return least() + said(EnumSet.complementOf(EnumSet.copyOf(OF_NO_CASE)));
+        return least() + verdictWidth(EnumSet.complementOf(EnumSet.copyOf(OF_NO_CASE)));
     }
 
     /** The width of all columns but that of verdicts. */
@@ -105,7 +105,7 @@ public final class CaseTable extends JTable {
         return IntStream.range(0, COLUMNS.size() - 1).map(this::widest).sum();
     }
 
-    private int said(Set<GradingVerdict> verdicts) {
+    private int verdictWidth(Set<GradingVerdict> verdicts) {
         var metrics = getFontMetrics(getFont());
         return margin()
                 + verdicts.stream()
@@ -155,10 +155,10 @@ public final class CaseTable extends JTable {
      *
      * @param named a case's name to what it is called in the table's language
      */
-    public void show(List<TriedCase> cases, UnaryOperator<String> named) {
+    public void show(List<CaseResult> cases, UnaryOperator<String> named) {
         titles = named;
         if (cases.equals(rows.cases)) return;
-        String chosen = chosen().map(TriedCase::name).orElse("");
+        String chosen = chosen().map(CaseResult::name).orElse("");
         rows.cases = List.copyOf(cases);
         rows.fireTableDataChanged();
         choose(chosen);
@@ -197,7 +197,7 @@ public final class CaseTable extends JTable {
         if (getSelectedRow() >= 0) scrollRectToVisible(getCellRect(getSelectedRow(), 0, true));
     }
 
-    Optional<TriedCase> chosen() {
+    Optional<CaseResult> chosen() {
         int row = getSelectedRow();
         return row < 0 || row >= rows.cases.size()
                 ? Optional.empty()
@@ -212,9 +212,9 @@ public final class CaseTable extends JTable {
     private final class Cell extends DefaultTableCellRenderer {
         private static final long serialVersionUID = 1L;
 
-        private final transient TriedCase shown;
+        private final transient CaseResult shown;
 
-        Cell(TriedCase shown) {
+        Cell(CaseResult shown) {
             this.shown = shown;
         }
 
@@ -226,7 +226,7 @@ public final class CaseTable extends JTable {
                     !on && VerdictLook.tried(shown.verdict()) && column != 1 && column != 2;
             if (colored) setForeground(VerdictLook.color(shown.verdict(), getBackground()));
             else if (!on) setForeground(table.getForeground());
-            String said = shown.said().in(texts.language());
+            String said = shown.message().in(texts.language());
             setToolTipText(said.isEmpty() ? titleAndName() : said);
             setHorizontalAlignment(column == 0 || column == 2 ? CENTER : LEADING);
             return this;
@@ -241,7 +241,7 @@ public final class CaseTable extends JTable {
     private final class Rows extends AbstractTableModel {
         private static final long serialVersionUID = 1L;
 
-        private transient List<TriedCase> cases = List.of();
+        private transient List<CaseResult> cases = List.of();
 
         @Override
         public int getRowCount() {
@@ -260,7 +260,7 @@ public final class CaseTable extends JTable {
 
         @Override
         public Object getValueAt(int row, int column) {
-            TriedCase one = cases.get(row);
+            CaseResult one = cases.get(row);
             return switch (column) {
                 case 0 -> VerdictLook.sign(one.verdict());
                 case 1 -> titles.apply(one.name());

@@ -275,7 +275,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
         ExerciseState state = model.state();
         exercise.offer(ids(), state.exercise().id());
         HintView shown = model.hints();
-        statement.show(state.exercise(), texts.locale().getLanguage(), told(shown));
+        statement.show(state.exercise(), texts.locale().getLanguage(), hintText(shown));
         hints.show(shown, model.hintDesk().asking(), model.hintDesk().notice());
         editor.show(state.exercise().id(), state.exercise().form(), state.source());
         editor.remark(state.upToDate() ? state.outcome().orElseThrow().remarks() : List.of());
@@ -288,7 +288,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     }
 
     /** The hints that were shown, as parts of the statement. */
-    private String told(HintView view) {
+    private String hintText(HintView view) {
         var told = new StringBuilder();
         for (int i = 0; i < view.shown().size(); i++)
             told.append("\n## ")

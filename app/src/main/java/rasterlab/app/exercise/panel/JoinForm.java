@@ -80,20 +80,20 @@ final class JoinForm extends JPanel {
     }
 
     /** Tells of any change of a field. */
-    private record Change(Runnable told) implements DocumentListener {
+    private record Change(Runnable listener) implements DocumentListener {
         @Override
         public void insertUpdate(DocumentEvent e) {
-            told.run();
+            listener.run();
         }
 
         @Override
         public void removeUpdate(DocumentEvent e) {
-            told.run();
+            listener.run();
         }
 
         @Override
         public void changedUpdate(DocumentEvent e) {
-            told.run();
+            listener.run();
         }
     }
 
@@ -120,7 +120,7 @@ final class JoinForm extends JPanel {
         add(known, "span 2");
         row("join.token", token);
         int width = getPreferredSize().width;
-        joined.ifPresent(account -> add(said(account, width), "span 2, growx, wmin 0", 0));
+        joined.ifPresent(account -> add(accountText(account, width), "span 2, growx, wmin 0", 0));
         known.addActionListener(e -> enableFields());
         enableFields();
     }
@@ -128,7 +128,7 @@ final class JoinForm extends JPanel {
     /**
      * @param width of the form, in which the words wrap: what they need is known before it is shown
      */
-    private JTextArea said(Account account, int width) {
+    private JTextArea accountText(Account account, int width) {
         JTextArea words = words("join.joined");
         String key = account.student().isEmpty() ? "join.joined" : "join.joinedAs";
         words.setText(texts.text(key, account.toString(), account.student()));

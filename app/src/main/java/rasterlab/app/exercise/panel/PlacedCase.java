@@ -29,12 +29,12 @@ public record PlacedCase(Rectangle part, NamedPictures pictures, List<String> wo
      * The things that are to be placed.
      *
      * @param whole all of each picture, with the type and names
-     * @param said a part in words
+     * @param partText a part in words
      */
     record CaseToPlace(
             CaseDrawing drawing,
             NamedPictures.PicturesToPlace whole,
-            Function<PicturePart, String> said) {
+            Function<PicturePart, String> partText) {
         /** The case placed in the room; empty where the names have no room. */
         Optional<PlacedCase> in(Dimension room) {
             for (int lines = 0; lines < MOST_LINES; lines++) {
@@ -51,8 +51,8 @@ public record PlacedCase(Rectangle part, NamedPictures pictures, List<String> wo
             Dimension size = drawing.divisible() ? whole.part(CLEAR, left) : drawing.pixels();
             CaseDrawing.PictureCrop cut = drawing.cut(size);
             List<String> words =
-                    cut.said()
-                            .map(part -> lines(said.apply(part), metrics, room.width))
+                    cut.part()
+                            .map(part -> lines(partText.apply(part), metrics, room.width))
                             .orElse(List.of());
             return whole.of(size)
                     .in(left)

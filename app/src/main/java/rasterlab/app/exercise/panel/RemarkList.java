@@ -87,7 +87,7 @@ final class RemarkList extends JList<Outcome.Remark> {
                 int index,
                 boolean on,
                 boolean focused) {
-            String said = remark.said().in(texts.language());
+            String said = remark.message().in(texts.language());
             String text = remark.line() == 0 ? said : texts.text("remark", remark.line(), said);
             words.setText(text);
             words.getAccessibleContext().setAccessibleName(text);

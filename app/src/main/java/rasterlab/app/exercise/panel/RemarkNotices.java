@@ -33,7 +33,9 @@ final class RemarkNotices extends AbstractParser {
                     one,
                     (first, next) ->
                             new Outcome.Remark(
-                                    first.line(), first.column(), first.said().above(next.said())));
+                                    first.line(),
+                                    first.column(),
+                                    first.message().above(next.message())));
         return List.copyOf(places.values());
     }
 
@@ -50,7 +52,7 @@ final class RemarkNotices extends AbstractParser {
 
     private DefaultParserNotice notice(Outcome.Remark remark, RSyntaxDocument document) {
         int index = remark.line() - 1;
-        String said = remark.said().in(language);
+        String said = remark.message().in(language);
         Optional<Span> span = Span.of(document, index, remark.column());
         return span.map(at -> new DefaultParserNotice(this, said, index, at.start(), at.length()))
                 .orElseGet(() -> new DefaultParserNotice(this, said, index));

@@ -23,9 +23,9 @@ import rasterlab.app.canvas.lab.OpenInLab;
 import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.exercise.ExerciseState;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.outcome.SpeedPicture;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.front.SpeedChart;
 import rasterlab.exercises.Exercise;
@@ -38,7 +38,7 @@ import rasterlab.exercises.score.CaseReport;
 public final class ResultPane extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private static final Predicate<TriedCase> CASE_OF_SPEED =
+    private static final Predicate<CaseResult> CASE_OF_SPEED =
             one -> one.name().equals(CaseReport.SPEED);
 
     private final transient Texts texts;
@@ -165,7 +165,7 @@ public final class ResultPane extends JPanel {
     /**
      * @param untried what is shown before there is a result
      */
-    public void show(ExerciseState state, List<TriedCase> untried) {
+    public void show(ExerciseState state, List<CaseResult> untried) {
         boolean running = !state.work().cases().isEmpty();
         // The last one stays until the next one's cases come.
         Optional<Outcome> outcome = running ? Optional.empty() : state.outcome();
@@ -180,7 +180,7 @@ public final class ResultPane extends JPanel {
             chart = outcome.flatMap(Outcome::speed).map(s -> chart(state.exercise().topic(), s));
         shown = outcome;
         Optional<String> chosen = toChoose(begins);
-        List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
+        List<CaseResult> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
         table.show(
                 merged(judged, untried),
                 name -> state.exercise().caseTitle(name, texts.locale().getLanguage()));
@@ -213,9 +213,9 @@ public final class ResultPane extends JPanel {
     private Optional<String> toChoose(boolean begins) {
         return table.chosen()
                 .filter(one -> begins)
-                .map(TriedCase::name)
+                .map(CaseResult::name)
                 .or(() -> kept.chosenCase(exercise, shown))
-                .or(() -> shown.flatMap(Outcome::mostTelling).map(TriedCase::name));
+                .or(() -> shown.flatMap(Outcome::mostTelling).map(CaseResult::name));
     }
 
     /**
@@ -228,9 +228,9 @@ public final class ResultPane extends JPanel {
     }
 
     /** The judged cases first, then those that were not. */
-    private static List<TriedCase> merged(List<TriedCase> judged, List<TriedCase> untried) {
+    private static List<CaseResult> merged(List<CaseResult> judged, List<CaseResult> untried) {
         var all = new ArrayList<>(judged);
-        for (TriedCase one : untried)
+        for (CaseResult one : untried)
             if (judged.stream().noneMatch(other -> other.name().equals(one.name()))) all.add(one);
         return all;
     }
@@ -257,8 +257,8 @@ public final class ResultPane extends JPanel {
     }
 
     private void showChosen() {
-        Optional<TriedCase> chosen = table.chosen();
-        String said = chosen.map(one -> one.said().in(texts.language())).orElse("");
+        Optional<CaseResult> chosen = table.chosen();
+        String said = chosen.map(one -> one.message().in(texts.language())).orElse("");
         boolean smallest =
                 shown.flatMap(Outcome::smallestCounterexample)
                         .filter(one -> chosen.filter(one::equals).isPresent())
@@ -272,7 +272,7 @@ public final class ResultPane extends JPanel {
         chart.filter(one -> chosen.filter(CASE_OF_SPEED).isPresent())
                 .ifPresentOrElse(
                         picture::show,
-                        () -> picture.show(chosen.map(TriedCase::pictures).orElse(List.of())));
+                        () -> picture.show(chosen.map(CaseResult::pictures).orElse(List.of())));
         view.offer(picture.views(), picture.view());
         view.setEnabled(chosen.filter(one -> !one.pictures().isEmpty()).isPresent());
         Optional<MethodCase> scene = chosen.flatMap(ResultPane::scene);
@@ -292,7 +292,7 @@ public final class ResultPane extends JPanel {
         return new SpeedPicture(new SpeedChart(topic, speed, texts.language()));
     }
 
-    private String hint(Optional<TriedCase> chosen) {
+    private String hint(Optional<CaseResult> chosen) {
         if (chosen.isEmpty()) return texts.text("hint.choose");
         if (chosen.get().verdict().isEmpty())
             return texts.text(head.works() ? "hint.notYet" : "hint.untried");
@@ -301,7 +301,7 @@ public final class ResultPane extends JPanel {
     }
 
     /** The case's input, where it has one that a lab can be given. */
-    private static Optional<MethodCase> scene(TriedCase one) {
+    private static Optional<MethodCase> scene(CaseResult one) {
         if (one.scene().isEmpty()) return Optional.empty();
         return SceneFile.read(one.scene()) instanceof MethodCase found
                 ? Optional.of(found)

@@ -12,9 +12,9 @@ public final class SavedExercisePanes {
     private Optional<ExercisePanes.Room> chosen = Optional.empty();
 
     /**
-     * @param said whether it holds an outcome, not only cases that are to be tried
+     * @param hasOutcome whether it holds an outcome, not only cases that are to be tried
      */
-    private record Result(String exercise, boolean said) {}
+    private record Result(String exercise, boolean hasOutcome) {}
 
     private record Choice(Optional<Outcome> outcome, String name) {
         private boolean holdsIn(Optional<Outcome> result) {

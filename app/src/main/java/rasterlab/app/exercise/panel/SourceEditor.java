@@ -212,7 +212,7 @@ public final class SourceEditor extends JPanel {
         String said =
                 remarks.stream()
                         .filter(one -> one.line() == line)
-                        .map(one -> one.said().in(texts.language()))
+                        .map(one -> one.message().in(texts.language()))
                         .collect(Collectors.joining("\n"));
         Icon mark = new SmallIcon(UIManager.getIcon("OptionPane.errorIcon"));
         try {

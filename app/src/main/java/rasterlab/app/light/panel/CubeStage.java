@@ -77,7 +77,7 @@ final class CubeStage extends SelfDrawn {
         g.setColor(StageColors.now().margin());
         g.fillRect(0, 0, getWidth(), getHeight());
         var cube = (Graphics2D) g.create();
-        String said = said();
+        String said = caption();
         int below = !said.isEmpty() ? NOTE_LINES * g.getFontMetrics().getHeight() : 0;
         int high = Math.max(1, getHeight() - below);
         new CubePainter(cube, model.state().color(), texts, getWidth(), high).paint();
@@ -89,7 +89,7 @@ final class CubeStage extends SelfDrawn {
      * The words below the cube: of the hazard, else the reason why the user's program has no
      * answer.
      */
-    private String said() {
+    private String caption() {
         Optional<HazardNote> note = model.state().note();
         if (note.isPresent()) return note.get().in(texts.language());
         ColorChoice color = model.state().color();

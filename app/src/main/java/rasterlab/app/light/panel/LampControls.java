@@ -154,7 +154,7 @@ final class LampControls {
         boolean spot = now.kind() == Lamp.LampKind.SPOT;
         for (Setting each : settings) {
             double value = value(now, each.key());
-            each.slider().show(value, said(now, each.key(), value));
+            each.slider().show(value, coordinateText(now, each.key(), value));
             boolean attenuates = List.of("constant", "linear", "quadratic").contains(each.key());
             boolean gathers = List.of("cutoff", "exponent").contains(each.key());
             column.showRow(each.slider(), !(attenuates && sun) && (!gathers || spot));
@@ -162,14 +162,14 @@ final class LampControls {
     }
 
     /** A coordinate beside the lamp's others. */
-    private String said(Lamp lamp, String key, double value) {
+    private String coordinateText(Lamp lamp, String key, double value) {
         double largest =
                 List.of("x", "y", "z").contains(key)
                         ? Math.max(
                                 Math.abs(lamp.x()),
                                 Math.max(Math.abs(lamp.y()), Math.abs(lamp.z())))
                         : value;
-        return Shown.beside(value, largest, 2, texts.locale());
+        return Shown.coordinate(value, largest, 2, texts.locale());
     }
 
     private static double value(Lamp lamp, String key) {

@@ -94,7 +94,7 @@ final class LightReadings {
 
     /** A cosine, a part of a direction or a share of full intensity. */
     private String number(double value) {
-        return Shown.beside(value, 1, 3, texts.locale());
+        return Shown.coordinate(value, 1, 3, texts.locale());
     }
 
     private String numbers(double[] values, int decimals) {

@@ -148,7 +148,9 @@ public final class LightStage extends SelfDrawn implements Settling {
         String said =
                 state.problem().isEmpty()
                         ? state.note().map(note -> note.in(texts.language())).orElse("")
-                        : texts.text("problem", Complaints.said(texts.language(), state.problem()));
+                        : texts.text(
+                                "problem",
+                                Complaints.translated(texts.language(), state.problem()));
         if (said.isEmpty() && within) said = steps.get().words(step, texts);
         else if (said.isEmpty() && (steps.isEmpty() || step > 0))
             said =

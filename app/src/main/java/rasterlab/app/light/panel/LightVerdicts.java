@@ -27,11 +27,11 @@ import rasterlab.engine.transform.Images;
  * hazards.
  */
 final class LightVerdicts implements AutoCloseable {
-    private final LatestOnly<Asked, Map<String, Verdict.Kind>> verdicts;
+    private final LatestOnly<LightVerdictRequest, Map<String, Verdict.Kind>> verdicts;
 
-    private record Asked(
+    private record LightVerdictRequest(
             Supplier<Map<String, Verdict.Kind>> finding,
-            Consumer<Map<String, Verdict.Kind>> told) {}
+            Consumer<Map<String, Verdict.Kind>> listener) {}
 
     /**
      * @param events runs what it is given on the one thread that is told the verdicts
@@ -42,14 +42,14 @@ final class LightVerdicts implements AutoCloseable {
                 new LatestOnly<>(
                         "verdicts of light",
                         (asked, cancelled) -> asked.finding().get(),
-                        (asked, found) -> events.execute(() -> asked.told().accept(found)),
+                        (asked, found) -> events.execute(() -> asked.listener().accept(found)),
                         onFailure);
     }
 
     /** Tells the verdicts that {@code finding} gives, unless others are asked for. */
     void ask(
             Supplier<Map<String, Verdict.Kind>> finding, Consumer<Map<String, Verdict.Kind>> told) {
-        verdicts.ask(new Asked(finding, told));
+        verdicts.ask(new LightVerdictRequest(finding, told));
     }
 
     /** Ends the thread. */

@@ -29,21 +29,21 @@ public record GlReport(
      */
     public static GlReport ofCurrent() {
         GLCapabilities has = GL.getCapabilities();
-        String version = said(GL11.GL_VERSION);
+        String version = stringOf(GL11.GL_VERSION);
         if (!has.OpenGL14) throw new NoOpenGl("OpenGL " + version + " is older than 1.4");
         if (has.glBegin == 0 || has.glMatrixMode == 0 || has.glNewList == 0)
             throw new NoOpenGl(
                     "OpenGL " + version + " is a core profile: it has no glBegin and no lights");
         return new GlReport(
                 version,
-                said(GL11.GL_RENDERER),
+                stringOf(GL11.GL_RENDERER),
                 GL11.glGetInteger(GL11.GL_MAX_TEXTURE_SIZE),
                 GL11.glGetInteger(GL11.GL_MAX_LIGHTS),
                 GL11.glGetInteger(GL11.GL_MAX_MODELVIEW_STACK_DEPTH),
                 has.OpenGL20 || has.GL_ARB_texture_non_power_of_two);
     }
 
-    private static String said(int name) {
+    private static String stringOf(int name) {
         return Optional.ofNullable(GL11.glGetString(name)).orElse("–");
     }
 

@@ -17,10 +17,10 @@ public final class NoOpenGl extends RuntimeException {
 
     /** An error for what a library says or throws when it cannot make a context. */
     public NoOpenGl(Throwable cause) {
-        super(said(cause), cause);
+        super(reason(cause), cause);
     }
 
-    private static String said(Throwable failure) {
+    private static String reason(Throwable failure) {
         Throwable deepest = failure;
         while (deepest.getCause() != null) deepest = deepest.getCause();
         String message = deepest.getMessage();

@@ -146,7 +146,7 @@ public final class BillTable extends JTable {
                 "table.milliseconds.hint",
                 rounds(),
                 time(predicted),
-                CostOrigin.said(texts, all.counted().origin()));
+                CostOrigin.translated(texts, all.counted().origin()));
     }
 
     private String rounds() {

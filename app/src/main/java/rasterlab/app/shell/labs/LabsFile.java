@@ -60,7 +60,7 @@ public final class LabsFile {
     }
 
     /** The file beside the window's settings. */
-    public static LabsFile beside(Path settings, Consumer<Problem> problem) {
+    public static LabsFile nextTo(Path settings, Consumer<Problem> problem) {
         return new LabsFile(settings.resolveSibling("labs.json"), problem);
     }
 
@@ -242,7 +242,7 @@ public final class LabsFile {
                 inTheWay = false;
                 return Optional.of(content);
             } catch (NotJson e) {
-                setAside("not JSON: " + e.said());
+                setAside("not JSON: " + e.phrase());
             } catch (IOException e) {
                 setAside(reason(e));
             }

@@ -23,13 +23,13 @@ public record Problem(String key, List<Object> arguments) {
 
     /** One line. */
     public String in(Language language) {
-        Object[] said = arguments.stream().map(each -> said(each, language)).toArray();
+        Object[] said = arguments.stream().map(each -> argumentText(each, language)).toArray();
         return Texts.of("shell", language).text(key, said);
     }
 
-    private static Object said(Object argument, Language language) {
+    private static Object argumentText(Object argument, Language language) {
         if (argument instanceof Problem reason) return reason.in(language);
-        return argument instanceof String text ? Complaints.said(language, text) : argument;
+        return argument instanceof String text ? Complaints.translated(language, text) : argument;
     }
 
     /** One line in English. */

@@ -139,8 +139,8 @@ public final class LabTab implements AutoCloseable {
     }
 
     /** The hazard that is told over the lab's stage, or will once the lab is made. */
-    public Optional<ShownHazard> told() {
-        return isWhole() ? panel.flatMap(Chips::toldIn) : told;
+    public Optional<ShownHazard> shownHazard() {
+        return isWhole() ? panel.flatMap(Chips::shownHazardIn) : told;
     }
 
     /** Lets the lab, once it is made, tell what another in its place told. */

@@ -72,7 +72,7 @@ public final class PlanRows {
                     Optional<CurvePlan.MethodPolylines> way =
                             plan.flatMap(found -> way(found, method));
                     column.showRow(row, plan.isPresent());
-                    row.setText(way.map(one -> said(one, plan.get().times())).orElse("–"));
+                    row.setText(way.map(one -> costText(one, plan.get().times())).orElse("–"));
                 });
     }
 
@@ -87,7 +87,7 @@ public final class PlanRows {
         return texts.text("picked.saves", best.method(), Long.toString(Math.round(100 * saved)));
     }
 
-    private String said(CurvePlan.MethodPolylines way, long drawn) {
+    private String costText(CurvePlan.MethodPolylines way, long drawn) {
         return texts.text(
                 "way",
                 way.segments(),

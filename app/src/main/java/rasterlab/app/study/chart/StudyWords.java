@@ -261,7 +261,9 @@ public final class StudyWords {
                         called(one.method()),
                         one.detail().isEmpty()
                                 ? ""
-                                : " (" + VerdictDetail.said(texts.language(), one.detail()) + ")");
+                                : " ("
+                                        + VerdictDetail.translated(texts.language(), one.detail())
+                                        + ")");
         return said.entrySet().stream()
                 .map(one -> one.getKey() + one.getValue())
                 .collect(Collectors.joining("; "));

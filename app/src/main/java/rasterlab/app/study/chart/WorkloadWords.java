@@ -21,7 +21,7 @@ record WorkloadWords(Texts texts) {
 
     /** The words for the input of methods; the name itself where it has none. */
     String workload(String topic, String name) {
-        String said = said("workload", topic, name);
+        String said = workloadText("workload", topic, name);
         return said.equals(name) ? name : grouped(said);
     }
 
@@ -33,11 +33,11 @@ record WorkloadWords(Texts texts) {
 
     /** The size with what it counts, short enough to stand beside a point of a chart. */
     String size(String topic, String name, int size) {
-        String said = said("size", topic, name);
+        String said = workloadText("size", topic, name);
         return said.equals(name) ? LogTicks.size(size) : said;
     }
 
-    private String said(String what, String topic, String name) {
+    private String workloadText(String what, String topic, String name) {
         String kind = NUMBER.matcher(name).replaceAll("");
         String key = what + "." + kind;
         Texts own = Texts.ofTopic(topic, texts.language());

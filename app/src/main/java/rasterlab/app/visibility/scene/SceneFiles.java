@@ -96,7 +96,7 @@ public final class SceneFiles {
     private static SceneAnswer model(Path file) {
         ModelNotes read = ModelNotes.read(file);
         SceneChoice model = SceneChoice.model(file, read.scene(), UpAxis.Y);
-        return new SceneAnswer(choice -> choice.with(model), "", read.told());
+        return new SceneAnswer(choice -> choice.with(model), "", read.notes());
     }
 
     /** The model that is shown, with another axis up, as its file has it now; the eye stays. */

@@ -48,23 +48,23 @@ class KeptFileTest {
 
         @Override
         public boolean open(String read) {
-            told = said(read, "");
+            told = failureText(read, "");
             return told.isEmpty();
         }
 
         @Override
         public String restore(String kept, String read) {
-            return said(read, ", own instead");
+            return failureText(read, ", own instead");
         }
 
-        private String said(String read, String instead) {
+        private String failureText(String read, String instead) {
             if (read.endsWith("!")) return read + " is broken" + instead;
             shown = read;
             return "";
         }
 
         @Override
-        public String told() {
+        public String remark() {
             return told;
         }
 

@@ -78,7 +78,7 @@ class HazardStripTest {
     @Test
     @DisplayName("the way back to an exact method is listed among those that fail")
     void theWayBackHasWordsOfItsOwn() {
-        assertFalse(said().contains("Back to:"), said().toString());
+        assertFalse(rowTexts().contains("Back to:"), rowTexts().toString());
         button("hazard.method.endless").doClick();
         assertEquals(
                 List.of(
@@ -87,7 +87,7 @@ class HazardStripTest {
                         "wrong: wrong",
                         "Back to:",
                         "right: exact"),
-                said());
+                rowTexts());
     }
 
     @Test
@@ -123,7 +123,7 @@ class HazardStripTest {
     }
 
     /** The texts of the row, in its order. */
-    private List<String> said() {
+    private List<String> rowTexts() {
         Container row = named("hazard.verdict").orElseThrow().getParent();
         return Stream.of(row.getComponents())
                 .map(

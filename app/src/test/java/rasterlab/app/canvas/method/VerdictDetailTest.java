@@ -22,14 +22,14 @@ class VerdictDetailTest {
                 "a sentence of the system | a sentence of the system",
             })
     void isSaidInTheLanguageOfTheWindow(String english, String russian) {
-        assertEquals(russian, VerdictDetail.said(Language.RUSSIAN, english));
-        assertEquals(english, VerdictDetail.said(Language.ENGLISH, english));
+        assertEquals(russian, VerdictDetail.translated(Language.RUSSIAN, english));
+        assertEquals(english, VerdictDetail.translated(Language.ENGLISH, english));
     }
 
     @ParameterizedTest(name = "a hyphen stands for a minus: {0}")
     @EnumSource(Language.class)
     void coordinatesAreWrittenAsElsewhere(Language language) {
-        String said = VerdictDetail.said(language, "pixel (-1199999999, -2) is extra");
+        String said = VerdictDetail.translated(language, "pixel (-1199999999, -2) is extra");
         assertTrue(said.contains("(−1199999999" + Shown.apart(language.locale()) + "−2)"), said);
     }
 }

@@ -13,8 +13,8 @@ class FormulaTest {
     @Test
     void assistiveTechnologyReadsRowByRow() {
         var matrix = new Matrix(List.of(List.of("1", "2"), List.of("3", "4")));
-        assertEquals("M = [1 2; 3 4]", Formula.of(new FormulaWords("M ="), matrix).said());
-        assertEquals("[0,5 1]", Matrix.row(Stream.of("0,5", "1")).said());
+        assertEquals("M = [1 2; 3 4]", Formula.of(new FormulaWords("M ="), matrix).plainText());
+        assertEquals("[0,5 1]", Matrix.row(Stream.of("0,5", "1")).plainText());
     }
 
     @Test
@@ -28,7 +28,7 @@ class FormulaTest {
     @Test
     void headsStandForEachColumn() {
         var headed = new Formula.Matrix(List.of("a", "b"), List.of(List.of("1", "2")));
-        assertEquals("a b: [1 2]", headed.said());
+        assertEquals("a b: [1 2]", headed.plainText());
         assertThrows(
                 IllegalArgumentException.class,
                 () -> new Formula.Matrix(List.of("a"), List.of(List.of("1", "2"))));

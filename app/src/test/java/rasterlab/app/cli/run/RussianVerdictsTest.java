@@ -67,7 +67,7 @@ class RussianVerdictsTest {
         List<String> english =
                 details.stream()
                         .filter(detail -> !detail.startsWith("java."))
-                        .map(detail -> VerdictDetail.said(Language.RUSSIAN, detail))
+                        .map(detail -> VerdictDetail.translated(Language.RUSSIAN, detail))
                         .filter(said -> ENGLISH.matcher(said).find())
                         .distinct()
                         .toList();

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.coordinates.Answered;
+import rasterlab.app.coordinates.CommandOutput;
 
 /** The copied command computes the very images that the lab shows. */
 @Timeout(300)
@@ -47,7 +47,7 @@ class ListCommandTest {
     }
 
     private void assertSame(int step) throws IOException {
-        JsonNode answer = Answered.by(ListCommand.of(model.scene(), step));
+        JsonNode answer = CommandOutput.of(ListCommand.of(model.scene(), step));
         double[] images = model.scene().images(step, false);
         int dimension = model.choice().dimension();
         for (int i = 0; i < images.length; i++)

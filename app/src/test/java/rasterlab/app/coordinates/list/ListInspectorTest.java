@@ -26,17 +26,17 @@ class ListInspectorTest {
             NameChooser examples = examples(inspector);
             model.show(Example.SHEAR);
             inspector.refresh();
-            assertEquals(shear, said(examples));
+            assertEquals(shear, chooserText(examples));
             model.remove();
             inspector.refresh();
-            assertEquals(own, said(examples));
+            assertEquals(own, chooserText(examples));
             assertNull(examples.getToolTipText(), "a word of the program");
             ListChoice changed = model.choice();
             examples.setSelectedItem(examples.getSelectedItem());
             assertEquals(changed, model.choice(), "what is shown was chosen once more");
             model.history().undo();
             inspector.refresh();
-            assertEquals(shear, said(examples));
+            assertEquals(shear, chooserText(examples));
             assertEquals(Example.values().length, examples.getItemCount());
         }
         assertEquals(List.of(), failures);
@@ -51,7 +51,7 @@ class ListInspectorTest {
                 .orElseThrow();
     }
 
-    private static String said(NameChooser chooser) {
+    private static String chooserText(NameChooser chooser) {
         var cell =
                 chooser.getRenderer()
                         .getListCellRendererComponent(

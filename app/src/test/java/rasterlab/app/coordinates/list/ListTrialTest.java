@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.canvas.work.ModelThread;
-import rasterlab.app.coordinates.Answered;
+import rasterlab.app.coordinates.CommandOutput;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.language.Language;
@@ -122,7 +122,7 @@ class ListTrialTest {
         String command = ListCommand.of(model);
         assertTrue(command.endsWith("./lab run " + trial.topic() + " " + trial.method()), command);
         if (scene.made().isEmpty()) return;
-        JsonNode answer = Answered.by(command);
+        JsonNode answer = CommandOutput.of(command);
         for (int i = 0; i < scene.size(); i++) {
             JsonNode point = answer.path("points").path(i);
             boolean image = point.size() == 3 && !point.path(0).isNull();
@@ -156,7 +156,7 @@ class ListTrialTest {
             boolean fails = scene.verdict().kind() != Verdict.Kind.EXACT;
             assertEquals(fails || !scene.differences().isEmpty(), !note.isEmpty(), note);
             if (fails) assertTrue(note.contains(trial.method()), note);
-            String reason = VerdictDetail.said(language, scene.verdict().detail());
+            String reason = VerdictDetail.translated(language, scene.verdict().detail());
             if (scene.verdict().kind() == Verdict.Kind.REFUSED)
                 assertTrue(note.contains(reason), note);
         }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.coordinates.Answered;
+import rasterlab.app.coordinates.CommandOutput;
 
 @Timeout(300)
 class CubeCommandTest {
@@ -26,7 +26,8 @@ class CubeCommandTest {
         model.show(program);
         var cubes = model.scene().cubes();
         Matrix4d newest = cubes.get(cubes.size() - 1);
-        JsonNode points = Answered.by(CubeCommand.of(model.scene()).orElseThrow()).path("points");
+        JsonNode points =
+                CommandOutput.of(CubeCommand.of(model.scene()).orElseThrow()).path("points");
         assertEquals(8, points.size());
         Vector3d far = newest.transformPosition(new Vector3d(1, 1, 1));
         for (int i = 0; i < 3; i++)

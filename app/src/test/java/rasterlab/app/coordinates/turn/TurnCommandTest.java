@@ -7,7 +7,7 @@ import java.io.IOException;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.coordinates.Answered;
+import rasterlab.app.coordinates.CommandOutput;
 import rasterlab.engine.transform.rotate.RotateTopic;
 
 /** The copied command computes the very point that the lab shows. */
@@ -18,7 +18,7 @@ class TurnCommandTest {
     void commandFindsTheSamePoint(String method) throws IOException {
         var choice = new TurnChoice(method, 12.3, 1234, 1 / 3.0, -7);
         TurnScene scene = TurnScene.of(new RotateTopic(), choice, () -> false);
-        JsonNode point = Answered.by(TurnCommand.of(choice)).path("points").path(0);
+        JsonNode point = CommandOutput.of(TurnCommand.of(choice)).path("points").path(0);
         assertEquals(scene.drift().end().x(), point.path(0).asDouble());
         assertEquals(scene.drift().end().y(), point.path(1).asDouble());
     }

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.coordinates.Answered;
+import rasterlab.app.coordinates.CommandOutput;
 
 /** The copied command computes the very coordinates that the lab shows. */
 @Timeout(300)
@@ -36,7 +36,7 @@ class ViewCommandTest {
     }
 
     private void assertSame(int stage) throws IOException {
-        JsonNode answer = Answered.by(ViewCommand.of(model.scene(), stage));
+        JsonNode answer = CommandOutput.of(ViewCommand.of(model.scene(), stage));
         ViewScene.StagePoints image = model.scene().image(stage).orElseThrow();
         for (int vertex = 0; vertex < 10; vertex++) {
             JsonNode point = answer.path("points").path(vertex);

@@ -59,7 +59,7 @@ class SpeedPictureTest {
     private static Outcome measured(Optional<PublishedSpeed> speed) {
         Outcome plain = outcome(GradingVerdict.OK);
         var cases = new ArrayList<>(plain.cases());
-        cases.add(new TriedCase("speed", "ok", 10, 10, LocalizedText.NOTHING, List.of(), ""));
+        cases.add(new CaseResult("speed", "ok", 10, 10, LocalizedText.NOTHING, List.of(), ""));
         return new Outcome(
                         plain.source(),
                         plain.attempt(),

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.exercise.ShownResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
-import rasterlab.app.exercise.outcome.TriedPicture;
+import rasterlab.app.exercise.outcome.ResultPicture;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.settings.LabTheme;
@@ -44,7 +44,7 @@ class CaseCanvasTest {
     @DisplayName("pictures of two sizes, as another server may send them, end in an unclear error")
     void picturesOfTwoSizesAreToldWithTheirSizes() throws Exception {
         var failures = new ArrayList<Throwable>();
-        List<TriedPicture> pictures =
+        List<ResultPicture> pictures =
                 pictures("#", Optional.empty(), png(9, 9), png(9, 5), png(9, 9));
         EventQueue.invokeAndWait(
                 () ->
@@ -141,7 +141,7 @@ class CaseCanvasTest {
         return shown.arranged(CaseCanvas.USUAL).orElseThrow().words();
     }
 
-    private static CaseCanvas shown(Language language, List<TriedPicture> pictures) {
+    private static CaseCanvas shown(Language language, List<ResultPicture> pictures) {
         ShownResult.install(LabTheme.LIGHT, 14);
         var shown = new CaseCanvas(Texts.of("exercise", language), failure -> {});
         shown.setFont(UIManager.getFont("Label.font"));
@@ -149,17 +149,17 @@ class CaseCanvasTest {
         return shown;
     }
 
-    private static List<TriedPicture> pictures(String text, PicturePart part, byte[] png) {
+    private static List<ResultPicture> pictures(String text, PicturePart part, byte[] png) {
         return pictures(text, Optional.of(part), png, png, png);
     }
 
     /** One of each kind. */
-    private static List<TriedPicture> pictures(
+    private static List<ResultPicture> pictures(
             String text, Optional<PicturePart> part, byte[]... pngs) {
         return IntStream.range(0, pngs.length)
                 .mapToObj(
                         i ->
-                                new TriedPicture(
+                                new ResultPicture(
                                         CaseCanvas.USUAL.get(i),
                                         PictureBytes.alike(pngs[i]),
                                         new LocalizedText(text, text),

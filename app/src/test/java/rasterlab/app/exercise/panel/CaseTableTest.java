@@ -16,9 +16,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.exercise.BackgroundWork;
 import rasterlab.app.exercise.ShownResult;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.exercise.outcome.VerdictLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -30,8 +30,8 @@ import rasterlab.exercises.score.GradingVerdict;
 class CaseTableTest {
     private final Texts texts = Texts.of("exercise", Language.RUSSIAN);
 
-    private static TriedCase one(String verdict) {
-        return new TriedCase(
+    private static CaseResult one(String verdict) {
+        return new CaseResult(
                 "last-pixel-is-dropped", verdict, 0, 4, LocalizedText.NOTHING, List.of(), "");
     }
 

@@ -18,10 +18,10 @@ import rasterlab.app.exercise.BackgroundWork;
 import rasterlab.app.exercise.ExerciseState;
 import rasterlab.app.exercise.JoinAnswer;
 import rasterlab.app.exercise.ShownResult;
+import rasterlab.app.exercise.outcome.CaseResult;
 import rasterlab.app.exercise.outcome.LocalizedText;
 import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.exercise.outcome.Outcome;
-import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.GradingVerdict;
@@ -126,7 +126,7 @@ class RemarkListTest {
                         Notice.NONE,
                         Optional.empty(),
                         JoinAnswer.NONE),
-                TriedCase.untried(ShownResult.EXERCISE));
+                CaseResult.untried(ShownResult.EXERCISE));
         Component remarks = named(pane, "remarks.scroll");
         Component cases = named(pane, "cases.scroll").getParent();
         assertEquals(remarks.isVisible(), !cases.isVisible());

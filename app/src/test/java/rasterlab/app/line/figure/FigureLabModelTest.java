@@ -71,7 +71,7 @@ class FigureLabModelTest {
                 model.chooseMethod(method);
                 assertEquals(
                         expected(hazard.recorded().get(method)),
-                        said(drawing()),
+                        drawingText(drawing()),
                         hazard.name() + ", " + method);
             }
         }
@@ -85,7 +85,7 @@ class FigureLabModelTest {
         };
     }
 
-    private static String said(FigureDrawing drawing) {
+    private static String drawingText(FigureDrawing drawing) {
         if (drawing.ending() != LineTrace.TraceEnding.ENDED) return drawing.ending().name();
         return RightFigure.is(drawing) ? "right" : "wrong";
     }
@@ -196,8 +196,8 @@ class FigureLabModelTest {
         long[] first = lit(chosen);
         long[] other = lit(second);
         var apart = model.state().drawings().apart().orElseThrow();
-        assertArrayEquals(without(first, other), told(apart.extra()));
-        assertArrayEquals(without(other, first), told(apart.missing()));
+        assertArrayEquals(without(first, other), sortedPixels(apart.extra()));
+        assertArrayEquals(without(other, first), sortedPixels(apart.missing()));
         assertFalse(apart.isEmpty(), "the textbook's method errs");
         model.compareWith("midpoint");
         drawing();
@@ -205,11 +205,11 @@ class FigureLabModelTest {
     }
 
     private static long[] lit(FigureDrawing drawing) {
-        return told(PixelSet.of(drawing.pixels()));
+        return sortedPixels(PixelSet.of(drawing.pixels()));
     }
 
     /** Both numbers of each pixel in one, in order: there are almost a million. */
-    private static long[] told(PixelSet pixels) {
+    private static long[] sortedPixels(PixelSet pixels) {
         return IntStream.range(0, pixels.size())
                 .mapToLong(i -> (long) pixels.x(i) << 32 | pixels.y(i) & 0xFFFFFFFFL)
                 .sorted()

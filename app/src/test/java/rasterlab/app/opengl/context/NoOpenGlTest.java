@@ -17,6 +17,7 @@ class NoOpenGlTest {
         var none = new NoOpenGl(new IllegalStateException(new UnsatisfiedLinkError(message)));
         assertEquals("library libEGL.so.1 is missing", none.getMessage());
         assertEquals(
-                "нет библиотеки libEGL.so.1", Complaints.said(Language.RUSSIAN, none.getMessage()));
+                "нет библиотеки libEGL.so.1",
+                Complaints.translated(Language.RUSSIAN, none.getMessage()));
     }
 }

@@ -312,7 +312,7 @@ class LabsFileTest {
                 () -> {
                     try (LabModels models = LabModels.first(failures::add)) {
                         load(
-                                LabsFile.beside(
+                                LabsFile.nextTo(
                                         folder.resolve("window.properties"),
                                         problem -> told.add(problem.in(Language.RUSSIAN))),
                                 models);
@@ -393,7 +393,7 @@ class LabsFileTest {
     }
 
     private LabsFile file() {
-        return LabsFile.beside(
+        return LabsFile.nextTo(
                 folder.resolve("window.properties"), problem -> problems.add(problem.toString()));
     }
 }

@@ -21,7 +21,8 @@ import rasterlab.engine.study.Topic;
 public final class VolumeClipFormat extends Format<VolumeClipper, SegmentsInVolume, ClippedEnds> {
     private static final Field<Double> ZMIN =
             Field.required(
-                    "zmin", Shape.told(Shape.number(), Shape.numberAbove(0, Math.nextDown(1.0))));
+                    "zmin",
+                    Shape.described(Shape.number(), Shape.numberAbove(0, Math.nextDown(1.0))));
     private static final Field<double[]> SEGMENTS =
             Field.required("segments", Shape.points(6, 0, PartFormat.MOST));
     private static final Field<?> PARTS = PartFormat.segments(6);

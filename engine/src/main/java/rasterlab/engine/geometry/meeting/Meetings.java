@@ -123,10 +123,11 @@ public final class Meetings {
                     "line %d has μ %s, in another part of the line than %s"
                             .formatted(line, mu[line], actual.mu[line]));
         if (error == 0) return Optional.empty();
-        return Optional.of("line " + line + " has μ " + mu[line] + ", got " + actual.told(line));
+        return Optional.of(
+                "line " + line + " has μ " + mu[line] + ", got " + actual.lineText(line));
     }
 
-    private String told(int line) {
+    private String lineText(int line) {
         return line < mu.length ? "" + mu[line] : "none";
     }
 

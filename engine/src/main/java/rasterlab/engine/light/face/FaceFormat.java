@@ -19,7 +19,7 @@ import rasterlab.engine.study.Topic;
 /** Shaded faces from outside: a lit triangle and points of it; {@code intensity} of each out. */
 final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
     private static final Shape<double[]> WITHIN =
-            Shape.toldNumbers(3, -LitFace.LARGEST, LitFace.LARGEST);
+            Shape.boundedNumbers(3, -LitFace.LARGEST, LitFace.LARGEST);
     private static final Field<double[]> CORNERS = three("corners");
     private static final Field<double[]> NORMALS = three("normals");
     private static final Field<double[]> LAMP = vector("lamp");
@@ -35,7 +35,7 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
 
     private static Field<double[]> three(String name) {
         Shape<?> told = Shape.list("points", WITHIN, 3, 3);
-        return Field.required(name, Shape.told(Shape.points(3, 3, 3), told));
+        return Field.required(name, Shape.described(Shape.points(3, 3, 3), told));
     }
 
     private static Field<double[]> vector(String name) {

@@ -23,7 +23,7 @@ final class FaceHazards {
     private FaceHazards() {}
 
     static List<Hazard<FacePoints>> all() {
-        return Stream.of(curved(), beside(), degenerate(), ofTheFormula())
+        return Stream.of(curved(), sideHazards(), degenerate(), ofTheFormula())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -79,7 +79,7 @@ final class FaceHazards {
                         EXACT));
     }
 
-    private static List<Hazard<FacePoints>> beside() {
+    private static List<Hazard<FacePoints>> sideHazards() {
         return List.of(
                 hazard(
                         "lamp-in-the-plane",

@@ -23,17 +23,17 @@ final class NormalsFormat extends Format<VertexNormals, TriangleSurface, Images>
     private static final int MOST_STEPPED = 300_000;
 
     private static final Shape<int[]> CORNERS =
-            Shape.told(
+            Shape.described(
                     Shape.wholes(3),
                     Shape.list("vertices", Shape.whole(0, Integer.MAX_VALUE), 3, 3));
     private static final Field<double[]> VERTICES =
             Field.required(
                     "vertices",
-                    Shape.told(
+                    Shape.described(
                             Shape.points(3, 0, Shape.MOST_POINTS),
                             Shape.list(
                                     "points",
-                                    Shape.toldNumbers(
+                                    Shape.boundedNumbers(
                                             3, -VertexNormals.LARGEST, VertexNormals.LARGEST),
                                     0,
                                     Shape.MOST_POINTS)));

@@ -55,7 +55,7 @@ final class GlassScenes {
                 Math.max(3, detail / 2));
         for (int k = 0; k < PANES.length; k++)
             parts.add(Appearances.glass(PANES[k], 0.45), pane(-75 + 75.0 * k, 45.0 * (k - 1)));
-        return parts.scene("transparency", Lamps.beside(camera), camera, 1.8);
+        return parts.scene("transparency", Lamps.leftOf(camera), camera, 1.8);
     }
 
     private static Quad pane(double x, double y) {

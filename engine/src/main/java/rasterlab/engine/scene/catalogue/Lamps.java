@@ -16,7 +16,7 @@ final class Lamps {
      * A lamp to the left of the eye and above it, which gives highlights off the middle, and a dim
      * one from the right, without highlights.
      */
-    static SceneLight beside(SphericalView camera) {
+    static SceneLight leftOf(SphericalView camera) {
         Vector3d eye = camera.eye();
         var right = new Vector3d(-eye.y, eye.x, 0).normalize();
         var up = new Vector3d(eye).cross(right).normalize();

@@ -29,7 +29,7 @@ final class OrderScenes {
                     for (int k = 0; k < PAINTS.length; k++)
                         parts.add(Appearances.satin(PAINTS[k]), new Cube(1), board(k));
                     var camera = new SphericalView(0.3, 0.55, 500);
-                    return parts.scene("cyclic-overlap", Lamps.beside(camera), camera, 2.1);
+                    return parts.scene("cyclic-overlap", Lamps.leftOf(camera), camera, 2.1);
                 });
     }
 
@@ -54,7 +54,7 @@ final class OrderScenes {
                 .add(Appearances.satin(0xC9A25B), new Cube(120))
                 .add(Appearances.glossy(0xD9534F), new Sphere(78), detail, Math.max(3, detail / 2))
                 .add(Appearances.satin(0x4F86D9), new Cube(1), board)
-                .scene("interpenetrating", Lamps.beside(camera), camera, 2.1);
+                .scene("interpenetrating", Lamps.leftOf(camera), camera, 2.1);
     }
 
     /**
@@ -71,7 +71,7 @@ final class OrderScenes {
                     parts.add(Appearances.satin(PAINTS[1]), sheet(1, 0));
                     parts.add(Appearances.satin(PAINTS[2]), sheet(2, HAIR));
                     var camera = new SphericalView(-1.1, 0.75, 500);
-                    return parts.scene("coplanar", Lamps.beside(camera), camera, 1.75);
+                    return parts.scene("coplanar", Lamps.leftOf(camera), camera, 1.75);
                 });
     }
 
@@ -108,7 +108,7 @@ final class OrderScenes {
             var column = new Placed(Cylinder.closed(16, 90), place);
             parts.add(Appearances.glossy(PAINTS[k]), column, detail, 1);
         }
-        return parts.scene("near-plane", Lamps.beside(camera), camera, 2.6);
+        return parts.scene("near-plane", Lamps.leftOf(camera), camera, 2.6);
     }
 
     private static Quad floor() {

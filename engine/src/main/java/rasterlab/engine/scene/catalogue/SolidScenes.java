@@ -20,7 +20,7 @@ final class SolidScenes {
                     var camera = new SphericalView(Math.PI / 5, Math.PI / 3, 500);
                     return new Parts()
                             .add(Appearances.pictured(Pictures.letters()), new Cube(150))
-                            .scene("cube", Lamps.beside(camera), camera, 1.9);
+                            .scene("cube", Lamps.leftOf(camera), camera, 1.9);
                 });
     }
 
@@ -49,6 +49,6 @@ final class SolidScenes {
         var camera = new SphericalView(Math.PI / 9, phi, 500);
         return new Parts()
                 .add(finish, shape, detail, Math.max(3, detail / 2))
-                .scene(name, Lamps.beside(camera), camera, 1.9);
+                .scene(name, Lamps.leftOf(camera), camera, 1.9);
     }
 }

@@ -37,7 +37,7 @@ final class TextureScenes {
                         new TexturePlace(0.25, 2));
         return new Parts()
                 .add(Appearances.pictured(Pictures.letters()), quad, detail, detail)
-                .scene("textured-quad", Lamps.beside(camera), camera, 1.75);
+                .scene("textured-quad", Lamps.leftOf(camera), camera, 1.75);
     }
 
     /** A ball with an earth-like picture. */
@@ -54,6 +54,6 @@ final class TextureScenes {
                         tilted,
                         detail,
                         Math.max(3, detail / 2))
-                .scene("globe", Lamps.beside(camera), camera, 2.1);
+                .scene("globe", Lamps.leftOf(camera), camera, 2.1);
     }
 }

@@ -39,22 +39,24 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
     private static final Field<double[]> POINTS =
             Field.required(
                             "points",
-                            Shape.told(
+                            Shape.described(
                                     Shape.points(2, 1, MOST),
                                     Shape.list(
                                             "points",
-                                            Shape.toldNumbers(2, -LARGEST, LARGEST),
+                                            Shape.boundedNumbers(2, -LARGEST, LARGEST),
                                             1,
                                             MOST)))
                     .as(FieldKind.POINTS);
     private static final Field<double[]> AT =
             Field.optional(
                     "at",
-                    Shape.told(
+                    Shape.described(
                             Shape.numbers(1, MOST),
                             Shape.list("numbers", Shape.number(0, 1), 1, MOST)));
     private static final Field<Double> FLATNESS =
-            Field.optional("flatness", Shape.told(Shape.number(), Shape.number(SMALLEST, LARGEST)))
+            Field.optional(
+                            "flatness",
+                            Shape.described(Shape.number(), Shape.number(SMALLEST, LARGEST)))
                     .in("pixels");
     private static final Field<?> TRACED =
             Field.required("points", Shape.list(Shape.numbersOrNull(2, 2))).as(FieldKind.POINTS);

@@ -194,7 +194,7 @@ public final class SplineFunctionFormat
                 new SplineValues(call.method().promise(), coefficients.length, values),
                 out -> {
                     out.points(COEFFICIENTS.name(), coefficients, 4);
-                    if (closed.moved()) out.said(NOTE.name(), closed.note());
+                    if (closed.moved()) out.sentence(NOTE.name(), closed.note());
                 },
                 steps);
     }

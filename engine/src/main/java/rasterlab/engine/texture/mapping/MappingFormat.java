@@ -27,7 +27,7 @@ final class MappingFormat extends Format<TextureMapper, TexturedSpan, Images> {
         Shape<Double> texture = Shape.number(-TexturedSpan.LARGEST, TexturedSpan.LARGEST);
         Shape<Double> depth = Shape.number(TexturedSpan.NEAREST, TexturedSpan.FARTHEST);
         return Field.required(
-                name, Shape.toldByPlace(Shape.numbers(3, 3), texture, texture, depth));
+                name, Shape.describedByPlace(Shape.numbers(3, 3), texture, texture, depth));
     }
 
     MappingFormat(Topic<TextureMapper, TexturedSpan, Images> topic) {

@@ -22,13 +22,14 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
     private static final double NEAREST = 1e-100;
     private static final double FARTHEST = 1e100;
     private static final Field<Double> NEAR =
-            Field.required("near", Shape.told(Shape.number(), Shape.number(NEAREST, FARTHEST)));
+            Field.required(
+                    "near", Shape.described(Shape.number(), Shape.number(NEAREST, FARTHEST)));
     private static final Field<Double> FAR =
-            Field.optional("far", Shape.told(Shape.number(), Shape.number(NEAREST, FARTHEST)));
+            Field.optional("far", Shape.described(Shape.number(), Shape.number(NEAREST, FARTHEST)));
     private static final Field<double[]> DEPTHS =
             Field.required(
                     "depths",
-                    Shape.told(
+                    Shape.described(
                             Shape.numbers(1, DepthRows.MOST_SURFACES),
                             Shape.list(
                                     "numbers",
@@ -38,7 +39,7 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
     private static final Field<double[]> TO =
             Field.optional(
                     "to",
-                    Shape.told(
+                    Shape.described(
                             Shape.numbers(1, DepthRows.MOST_SURFACES),
                             Shape.list(
                                     "numbers",

@@ -9,11 +9,11 @@ import rasterlab.engine.study.Mutant;
 final class VisibleFacesMutants {
     /** The answer of a mistaken method for one face. */
     private interface Judge {
-        boolean visible(Asked asked);
+        boolean visible(AskedFace asked);
     }
 
     /** One face, and who looks at it. */
-    private record Asked(double[] xyz, int[] face, double[] eye, double[] inside) {
+    private record AskedFace(double[] xyz, int[] face, double[] eye, double[] inside) {
         /** The side of the face's plane that a point is on. */
         int side(double[] point) {
             return side(face, point);
@@ -116,11 +116,11 @@ final class VisibleFacesMutants {
     }
 
     /** Whether a face with area is visible, edge-on ones too. */
-    private static boolean edgeOn(Asked asked) {
+    private static boolean edgeOn(AskedFace asked) {
         return asked.side(asked.eye) >= 0 && !asked.areaIsNothing();
     }
 
-    private static boolean byDirection(Asked asked) {
+    private static boolean byDirection(AskedFace asked) {
         double[] mean = asked.mean();
         var point = new double[3];
         for (int i = 0; i < 3; i++)
@@ -135,7 +135,7 @@ final class VisibleFacesMutants {
                 (xyz, faces, eye, inside) -> {
                     var visible = new boolean[faces.length];
                     for (int f = 0; f < visible.length; f++)
-                        visible[f] = judge.visible(new Asked(xyz, faces[f], eye, inside));
+                        visible[f] = judge.visible(new AskedFace(xyz, faces[f], eye, inside));
                     return visible;
                 });
     }

@@ -9,9 +9,9 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.buffer.DepthBufferMethods;
 import rasterlab.engine.visibility.painter.CullingMethods;
+import rasterlab.engine.visibility.painter.DepthOrderPainter;
 import rasterlab.engine.visibility.painter.PaintingMethods;
-import rasterlab.engine.visibility.painter.ToldFaces;
-import rasterlab.engine.visibility.painter.ToldOrder;
+import rasterlab.engine.visibility.painter.VisibleFacesPainter;
 
 /** The visibility methods that can be named, in teaching order. */
 public final class Visibilities {
@@ -27,12 +27,12 @@ public final class Visibilities {
 
     /** Draws the faces that a method of topic {@code visible-faces} calls visible. */
     public static Visibility by(VisibleFaces method) {
-        return new ToldFaces(method);
+        return new VisibleFacesPainter(method);
     }
 
     /** Paints faces in the order that a method of topic {@code depth-order} gives. */
     public static Visibility by(DepthOrder method) {
-        return new ToldOrder(method);
+        return new DepthOrderPainter(method);
     }
 
     public List<Method<Visibility>> methods() {

@@ -30,7 +30,7 @@ record Ball(double x, double y, double z, double radius, double distance) {
     }
 
     /** Whether no ray from the eye meets both. */
-    boolean beside(Ball other) {
+    boolean apartFrom(Ball other) {
         if (distance <= radius || other.distance <= other.radius) return false;
         double cos =
                 (x / distance) * (other.x / other.distance)

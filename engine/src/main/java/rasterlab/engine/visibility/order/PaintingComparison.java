@@ -93,7 +93,7 @@ final class PaintingComparison {
 
     private void compare(Seen earlier, Seen later) {
         if (earlier.polygon == later.polygon) return;
-        if (earlier.ball.farther(later.ball) || earlier.ball.beside(later.ball)) return;
+        if (earlier.ball.farther(later.ball) || earlier.ball.apartFrom(later.ball)) return;
         ExactCone common = earlier.cone.in(later.cone);
         if (!common.open()) return;
         ExactCone nearer = common.where(earlier.plane.nearerThan(later.plane));

@@ -25,9 +25,9 @@ final class DepthTriangleFormat
     private static final Shape<Double> PLACE =
             Shape.number(-DepthTriangleFiller.LARGEST, DepthTriangleFiller.LARGEST);
     private static final Shape<double[]> CORNER =
-            Shape.toldByPlace(Shape.numbers(3, 3), PLACE, PLACE, Shape.number(0, 1));
+            Shape.describedByPlace(Shape.numbers(3, 3), PLACE, PLACE, Shape.number(0, 1));
     private static final Shape<double[]> TRIANGLE =
-            Shape.told(Shape.points(3, 3, 3), Shape.list("points", CORNER, 3, 3));
+            Shape.described(Shape.points(3, 3, 3), Shape.list("points", CORNER, 3, 3));
     private static final Field<List<double[]>> TRIANGLES =
             Field.required("triangles", Shape.list("triangles", TRIANGLE, 1, DepthTriangles.MOST))
                     .as(FieldKind.POLYGONS);

@@ -62,7 +62,7 @@ public final class ChildLost extends Exception {
         return idle;
     }
 
-    public Message said() {
+    public Message message() {
         return said;
     }
 

@@ -60,7 +60,7 @@ public final class ByteCodeCheck {
     private List<Diagnostic> refusals(Iterable<byte[]> classes, OwnClasses own, String source) {
         SourceRefusals refusals = new SourceRefusals(source);
         for (byte[] bytes : classes) {
-            Uses uses = new Uses(allowed, own, refusals);
+            AccessCheck uses = new AccessCheck(allowed, own, refusals);
             new ClassReader(bytes).accept(new ClassScan(uses), ClassReader.SKIP_FRAMES);
         }
         return refusals.list();

@@ -10,11 +10,11 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.RecordComponentVisitor;
 import org.objectweb.asm.TypePath;
 
-/** Shows everything that one class file can reach to {@link Uses}. */
+/** Shows everything that one class file can reach to {@link AccessCheck}. */
 final class ClassScan extends ClassVisitor {
-    private final Uses uses;
+    private final AccessCheck uses;
 
-    ClassScan(Uses uses) {
+    ClassScan(AccessCheck uses) {
         super(Opcodes.ASM9);
         this.uses = uses;
     }

@@ -7,12 +7,12 @@ import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 
-/** Shows every instruction of one method that names a type or a member to {@link Uses}. */
+/** Shows every instruction of one method that names a type or a member to {@link AccessCheck}. */
 final class MethodScan extends MethodVisitor {
-    private final Uses uses;
+    private final AccessCheck uses;
     private int line;
 
-    MethodScan(Uses uses) {
+    MethodScan(AccessCheck uses) {
         super(Opcodes.ASM9);
         this.uses = uses;
     }

@@ -34,13 +34,13 @@ final class SourceRefusals {
      * @param word that stands in the source, as a rule
      * @param allowed what may be used instead, said once for all that it is said of
      */
-    private record Found(int line, Message said, String word, Message allowed) {
+    private record Found(int line, Message message, String word, Message allowed) {
         Found at(int otherLine) {
-            return new Found(otherLine, said, word, allowed);
+            return new Found(otherLine, message, word, allowed);
         }
 
-        Diagnostic told(boolean last) {
-            return new Diagnostic(line, 0, last ? said.and(allowed) : said);
+        Diagnostic diagnostic(boolean last) {
+            return new Diagnostic(line, 0, last ? message.and(allowed) : message);
         }
     }
 
@@ -172,7 +172,7 @@ final class SourceRefusals {
                 lines.values().stream().flatMap(inOneLine -> toBeTold(inOneLine, places)).toList();
         Map<Message, Found> last = new HashMap<>();
         told.forEach(one -> last.put(one.allowed(), one));
-        return told.stream().map(one -> one.told(last.get(one.allowed()) == one)).toList();
+        return told.stream().map(one -> one.diagnostic(last.get(one.allowed()) == one)).toList();
     }
 
     private static Stream<Found> toBeTold(List<Found> inOneLine, WordPlaces places) {

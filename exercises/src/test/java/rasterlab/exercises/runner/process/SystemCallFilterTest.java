@@ -142,15 +142,15 @@ class SystemCallFilterTest {
         assumeTrue(SystemCallFilter.program().isPresent(), "there is no table for this machine");
         Path filter = folder.resolve("filter");
         Files.write(filter, SystemCallFilter.program().orElseThrow());
-        assertEquals("ok\n", said(filter, "echo ok"));
+        assertEquals("ok\n", output(filter, "echo ok"));
         for (String forbidden : List.of("exec unshare -U true", "/bin/true; echo made"))
             assertTrue(
-                    said(filter, forbidden).matches("(?s).*(not permitted|annot fork).*"),
+                    output(filter, forbidden).matches("(?s).*(not permitted|annot fork).*"),
                     forbidden);
-        assertNotEquals("lives\n", said(filter, "kill -0 1 && echo lives"));
+        assertNotEquals("lives\n", output(filter, "kill -0 1 && echo lives"));
     }
 
-    private static String said(Path filter, String script)
+    private static String output(Path filter, String script)
             throws IOException, InterruptedException {
         var command = new ArrayList<>(List.of("sh", "-c", "exec \"$@\" 9<\"$0\""));
         command.addAll(List.of(filter.toString(), "bwrap", "--ro-bind", "/", "/"));

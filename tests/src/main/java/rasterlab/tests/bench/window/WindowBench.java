@@ -175,7 +175,7 @@ public final class WindowBench {
                         LabSettings.first(Language.ENGLISH),
                         Language.ENGLISH,
                         new SettingsFile(settings, out::println),
-                        LabsFile.beside(settings, out::println),
+                        LabsFile.nextTo(settings, out::println),
                         failed -> failure.compareAndSet(null, failed));
         frame.setSize(SIZE);
         frame.setVisible(true);

@@ -10,9 +10,9 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Optional;
+import rasterlab.exercises.child.ArrayAliases;
 import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.child.ContractCalls;
-import rasterlab.exercises.child.HeldArrays;
 import rasterlab.exercises.child.Values;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.runner.process.ChildLost;
@@ -24,7 +24,7 @@ import rasterlab.exercises.score.Message;
  * A student's method as an object of its contract: whoever calls it has the child called, and finds
  * in sinks and arrays what the child's method sent and wrote there.
  */
-final class Asked implements InvocationHandler {
+final class StudentMethodProxy implements InvocationHandler {
     /** Ends what called the method: there is no answer to go on with. */
     static final class Unanswered extends Error {
         private static final long serialVersionUID = 1L;
@@ -62,13 +62,13 @@ final class Asked implements InvocationHandler {
     private final ContractCalls contract;
     private final Sending sending;
     private final MessageDigest told = sha256();
-    private final HeldArrays arrays = new HeldArrays();
+    private final ArrayAliases arrays = new ArrayAliases();
     private final StringBuilder printed = new StringBuilder();
     private long items;
     private boolean asked;
     private Answer ended;
 
-    Asked(ContractCalls contract, Sending sending) {
+    StudentMethodProxy(ContractCalls contract, Sending sending) {
         this.contract = contract;
         this.sending = sending;
     }

@@ -3,7 +3,7 @@ package rasterlab.engine.format;
 import java.io.IOException;
 
 /** An array of exactly {@code count} whole numbers in the range of int. */
-record WholesShape(int count) implements Shape<int[]> {
+record IntArrayShape(int count) implements Shape<int[]> {
     @Override
     public int[] read(ValueSource in) throws IOException {
         return in.wholes(count);

@@ -8,4 +8,4 @@ import rasterlab.exercises.predicting.Question;
  *
  * @param right as it was judged; a click in a plane is judged less strictly than numbers
  */
-record Answered(Question question, JsonNode answer, boolean right) {}
+record AnsweredQuestion(Question question, JsonNode answer, boolean right) {}

@@ -14,21 +14,22 @@ import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.score.Answer;
 
 /** Each message of a child is an answer, a finding in words of ours, or the child's loss. */
-class AskedTest {
+class StudentMethodProxyTest {
     /** Writes what a child sent. */
     private interface Sent {
         void to(DataOutputStream out) throws IOException;
     }
 
-    private static Asked asked(Sent sent) throws IOException {
+    private static StudentMethodProxy asked(Sent sent) throws IOException {
         var bytes = new ByteArrayOutputStream();
         sent.to(new DataOutputStream(bytes));
-        return new Asked(
+        return new StudentMethodProxy(
                 ContractCalls.of(MatrixFormula.class),
-                (call, arguments) -> new Asked.CallReply(Wire.DONE, bytes.toByteArray(), ""));
+                (call, arguments) ->
+                        new StudentMethodProxy.CallReply(Wire.DONE, bytes.toByteArray(), ""));
     }
 
-    private static double[][] rows(Asked asked) {
+    private static double[][] rows(StudentMethodProxy asked) {
         return ((MatrixFormula) asked.method()).rows("ID3D", 1, 2);
     }
 
@@ -53,7 +54,7 @@ class AskedTest {
 
     @Test
     void nullInTheMiddleOfAnAnswerIsTold() throws IOException {
-        Asked asked =
+        StudentMethodProxy asked =
                 asked(
                         out -> {
                             out.writeBoolean(true);
@@ -65,11 +66,11 @@ class AskedTest {
                             out.writeInt(0);
                             out.writeBoolean(false);
                         });
-        assertThrows(Asked.Unanswered.class, () -> rows(asked));
+        assertThrows(StudentMethodProxy.Unanswered.class, () -> rows(asked));
         Answer answer = asked.ended().orElseThrow();
         assertEquals(Answer.CallEnding.UNUSABLE, answer.ending());
-        assertEquals("there is null within what it returns", answer.said().in("en"));
-        assertEquals("внутри возвращённого значения есть null", answer.said().in("ru"));
+        assertEquals("there is null within what it returns", answer.explanation().in("en"));
+        assertEquals("внутри возвращённого значения есть null", answer.explanation().in("ru"));
     }
 
     @Test
@@ -96,8 +97,9 @@ class AskedTest {
     }
 
     private static void assertLost(Sent sent, String said) throws IOException {
-        Asked asked = asked(sent);
-        Throwable cause = assertThrows(Asked.Unanswered.class, () -> rows(asked)).getCause();
+        StudentMethodProxy asked = asked(sent);
+        Throwable cause =
+                assertThrows(StudentMethodProxy.Unanswered.class, () -> rows(asked)).getCause();
         ChildLost lost = (ChildLost) cause;
         assertEquals(ChildLost.LossReason.PROTOCOL, lost.reason());
         assertEquals(true, lost.getMessage().contains(said), lost::getMessage);

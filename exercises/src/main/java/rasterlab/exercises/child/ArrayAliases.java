@@ -15,7 +15,7 @@ import java.util.Map;
  * answer. An answer tells which of its arrays are such, so that a promise of a new one can be
  * checked where the answer arrives.
  */
-public final class HeldArrays {
+public final class ArrayAliases {
     private final Map<Integer, List<Object>> last = new HashMap<>();
 
     /** Forgets the answers: nobody holds them any more. */

@@ -3,7 +3,7 @@ package rasterlab.engine.light;
 /**
  * Points with the light that falls on them, one array for each number; cells [0, count) are used.
  */
-final class FallenLight {
+final class IncidentLight {
     static final int SIZE = 128;
 
     int count;

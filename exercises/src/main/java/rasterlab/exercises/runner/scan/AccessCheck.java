@@ -11,7 +11,7 @@ import org.objectweb.asm.Type;
 import rasterlab.exercises.runner.scan.OwnClasses.Member;
 
 /** Judges single uses of types and members against the allow-list and the student's own classes. */
-final class Uses {
+final class AccessCheck {
     /** The only methods of the JDK that may link an invokedynamic instruction. */
     private static final Set<String> BOOTSTRAPS =
             Set.of(
@@ -40,7 +40,7 @@ final class Uses {
      * One for each class file: its instructions share its texts, so that finding one again that was
      * met compares no text, and a long name costs nothing where it is used often.
      */
-    Uses(AllowList allowed, OwnClasses own, SourceRefusals refusals) {
+    AccessCheck(AllowList allowed, OwnClasses own, SourceRefusals refusals) {
         this.allowed = allowed;
         this.own = own;
         this.refusals = refusals;

@@ -21,7 +21,7 @@ import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** Tries a method of this program on all cases, in this process, and keeps what came of them. */
-public final class TriedMethod {
+public final class GradedMethod {
     private static final String REFUSAL = IllegalArgumentException.class.getName();
 
     private final Exercise exercise;
@@ -29,7 +29,7 @@ public final class TriedMethod {
     /** All that came of the cases, and what they pay. */
     final Marking marking;
 
-    private TriedMethod(Exercise exercise, Marking marking) {
+    private GradedMethod(Exercise exercise, Marking marking) {
         this.exercise = exercise;
         this.marking = marking;
     }
@@ -51,7 +51,7 @@ public final class TriedMethod {
     }
 
     /** Tries a method on calls of the exercise's cases. */
-    static TriedMethod on(
+    static GradedMethod on(
             Exercise exercise, Map<Case, List<TopicGrading.GradedCall>> cases, Object method) {
         Marking marking = new Marking(exercise);
         cases.forEach(
@@ -61,7 +61,7 @@ public final class TriedMethod {
                         tried.add(TriedCall.answered(call, answer(call, method)));
                     marking.put(CaseTrial.tried(one, tried));
                 });
-        return new TriedMethod(exercise, marking);
+        return new GradedMethod(exercise, marking);
     }
 
     /** The answer of a method of this program, or how it ends. */
@@ -116,7 +116,7 @@ public final class TriedMethod {
      */
     public List<String> breaking() {
         return marking.cases().stream()
-                .filter(one -> one.calls().stream().anyMatch(TriedMethod::isBroken))
+                .filter(one -> one.calls().stream().anyMatch(GradedMethod::isBroken))
                 .map(one -> one.one().name())
                 .toList();
     }
@@ -134,7 +134,7 @@ public final class TriedMethod {
     /** Whether it gave a wrong answer, so that its mistake could be told by that. */
     boolean answeredWrong() {
         return marking.cases().stream()
-                .flatMap(TriedMethod::findings)
+                .flatMap(GradedMethod::findings)
                 .anyMatch(finding -> finding.verdict() == GradingVerdict.WRONG);
     }
 
@@ -146,7 +146,7 @@ public final class TriedMethod {
                         one ->
                                 one.calls().stream()
                                         .filter(call -> !call.finding().right())
-                                        .allMatch(TriedMethod::isRefused))
+                                        .allMatch(GradedMethod::isRefused))
                 .map(one -> one.one().name())
                 .filter(failed::contains)
                 .toList();

@@ -16,49 +16,49 @@ import rasterlab.exercises.topic.CaseRules.CaseRule;
  *
  * @param verdict a code, as in the HTTP API; "" for a case that was not tried yet, or whose verdict
  *     may still change
- * @param said why points were lost
+ * @param message why points were lost
  * @param rule how an answer is compared, and what makes it right; nothing where that is not told
  * @param scene the case as a scene file; "" where it is hidden
  */
-public record TriedCase(
+public record CaseResult(
         String name,
         String verdict,
         int points,
         int of,
-        LocalizedText said,
+        LocalizedText message,
         LocalizedText rule,
-        List<TriedPicture> pictures,
+        List<ResultPicture> pictures,
         String scene) {
-    public TriedCase {
+    public CaseResult {
         pictures = List.copyOf(pictures);
     }
 
     /** A case of which it is not told what makes an answer right. */
-    public TriedCase(
+    public CaseResult(
             String name,
             String verdict,
             int points,
             int of,
             LocalizedText said,
-            List<TriedPicture> pictures,
+            List<ResultPicture> pictures,
             String scene) {
         this(name, verdict, points, of, said, LocalizedText.NOTHING, pictures, scene);
     }
 
-    static TriedCase of(CaseReport report) {
-        return new TriedCase(
+    static CaseResult of(CaseReport report) {
+        return new CaseResult(
                 report.name(),
                 report.verdict().code(),
                 report.points(),
                 report.of(),
                 LocalizedText.of(report::message),
-                report.pictures().stream().map(TriedPicture::of).toList(),
+                report.pictures().stream().map(ResultPicture::of).toList(),
                 report.scene());
     }
 
     /** A case of that exercise, with what makes an answer right. */
-    public static TriedCase of(Exercise exercise, CaseReport report) {
-        TriedCase judged = of(report);
+    public static CaseResult of(Exercise exercise, CaseReport report) {
+        CaseResult judged = of(report);
         return CaseRules.of(exercise, report.name())
                 .map(
                         right ->
@@ -82,41 +82,42 @@ public record TriedCase(
         return rule.isEmpty() ? compared : compared + " " + texts.text("rule", rule);
     }
 
-    public TriedCase under(LocalizedText next) {
-        return new TriedCase(name, verdict, points, of, said, next, pictures, scene);
+    public CaseResult under(LocalizedText next) {
+        return new CaseResult(name, verdict, points, of, message, next, pictures, scene);
     }
 
     /** The open cases of an exercise, none of them tried. */
-    public static List<TriedCase> untried(Exercise exercise) {
+    public static List<CaseResult> untried(Exercise exercise) {
         return exercise.cases().stream()
                 .filter(one -> one.visibility() == Disclosure.OPEN)
-                .map(TriedCase::untried)
+                .map(CaseResult::untried)
                 .toList();
     }
 
-    private static TriedCase untried(Exercise.Case one) {
-        return new TriedCase(one.name(), "", 0, one.points(), LocalizedText.NOTHING, List.of(), "");
+    private static CaseResult untried(Exercise.Case one) {
+        return new CaseResult(
+                one.name(), "", 0, one.points(), LocalizedText.NOTHING, List.of(), "");
     }
 
     /**
      * The cases, of which those whose own names are kept from the student get numbers, by which
      * they are chosen.
      */
-    public static List<TriedCase> toldApart(List<TriedCase> cases) {
-        var toldApart = new ArrayList<TriedCase>();
+    public static List<CaseResult> numbered(List<CaseResult> cases) {
+        var toldApart = new ArrayList<CaseResult>();
         int hidden = 0;
-        for (TriedCase one : cases)
+        for (CaseResult one : cases)
             toldApart.add(
                     CaseReport.isHidden(one.name) ? one.called(CaseReport.hidden(++hidden)) : one);
         return List.copyOf(toldApart);
     }
 
-    private TriedCase called(String next) {
-        return new TriedCase(next, verdict, points, of, said, rule, pictures, scene);
+    private CaseResult called(String next) {
+        return new CaseResult(next, verdict, points, of, message, rule, pictures, scene);
     }
 
-    public TriedCase withoutVerdict() {
-        return new TriedCase(name, "", 0, of, LocalizedText.NOTHING, rule, List.of(), scene);
+    public CaseResult withoutVerdict() {
+        return new CaseResult(name, "", 0, of, LocalizedText.NOTHING, rule, List.of(), scene);
     }
 
     /** Pixels that its pictures show; 0 where it has none. */

@@ -13,7 +13,7 @@ import rasterlab.engine.raster.Plotted;
  * @param right the method that draws the right line, beside which it belongs
  * @param drawn what it plotted; empty where that was right or is not known
  */
-public record TriedSegment(Segment segment, String right, Optional<Plotted> drawn) {
+public record TrialSegment(Segment segment, String right, Optional<Plotted> drawn) {
     /** Stands in place of a method's name. */
     static final String NAME = "tried";
 

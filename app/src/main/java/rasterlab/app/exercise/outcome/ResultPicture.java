@@ -15,15 +15,15 @@ import rasterlab.exercises.score.PixelRows;
  * @param text tells what is there to people who do not see it
  * @param part which pixels of a grid these are; empty where it is no grid, or that is not known
  */
-public record TriedPicture(
+public record ResultPicture(
         String kind, PictureBytes file, LocalizedText text, Optional<PicturePart> part) {
-    public TriedPicture {
+    public ResultPicture {
         if (!CasePicture.isKind(kind))
             throw new IllegalArgumentException("no kind of a picture: '" + kind + "'");
     }
 
-    static TriedPicture of(CasePicture one) {
-        return new TriedPicture(
+    static ResultPicture of(CasePicture one) {
+        return new ResultPicture(
                 one.kind(), one.file(), LocalizedText.of(one.text()::in), one.part());
     }
 

@@ -14,15 +14,15 @@ import rasterlab.engine.raster.Pixel;
  * @param pixel where pixels are asked for
  * @param index in the list that is asked for, from 0
  */
-public record Differing(Optional<Pixel> pixel, OptionalInt index) {
+public record DifferingItem(Optional<Pixel> pixel, OptionalInt index) {
     private static final Pattern IN_A_LIST =
             Pattern.compile("(inside|visible|pixels|segments)\\[(\\d+)].*");
 
     /** The answer as a whole. */
-    static final Differing WHOLE = new Differing(Optional.empty(), OptionalInt.empty());
+    static final DifferingItem WHOLE = new DifferingItem(Optional.empty(), OptionalInt.empty());
 
-    public static Differing at(Pixel pixel) {
-        return new Differing(Optional.of(pixel), OptionalInt.empty());
+    public static DifferingItem at(Pixel pixel) {
+        return new DifferingItem(Optional.of(pixel), OptionalInt.empty());
     }
 
     /**
@@ -31,14 +31,14 @@ public record Differing(Optional<Pixel> pixel, OptionalInt index) {
      * @param right the right answer
      * @param actual the one that differs there
      */
-    public static Optional<Differing> at(String place, JsonNode right, JsonNode actual) {
+    public static Optional<DifferingItem> at(String place, JsonNode right, JsonNode actual) {
         Matcher parts = IN_A_LIST.matcher(place);
         if (!parts.matches()) return Optional.empty();
         int index = Integer.parseInt(parts.group(2));
         return parts.group(1).equals("pixels")
                 ? firstInRows(right.path("pixels").path(index), actual.path("pixels").path(index))
-                        .map(Differing::at)
-                : Optional.of(new Differing(Optional.empty(), OptionalInt.of(index)));
+                        .map(DifferingItem::at)
+                : Optional.of(new DifferingItem(Optional.empty(), OptionalInt.of(index)));
     }
 
     /** The first pixel, row by row, that one of the two answers lacks. */

@@ -15,12 +15,12 @@ import rasterlab.engine.visibility.VisibilityWalk;
  * Draws the faces that a method of topic {@code visible-faces} calls visible, in the order of the
  * mesh. The method is asked once for a picture, about the whole mesh as it stands in the world.
  */
-public final class ToldFaces implements SteppedVisibility {
+public final class VisibleFacesPainter implements SteppedVisibility {
     private static final double[] NO_INNER_POINT = {};
 
     private final VisibleFaces method;
 
-    public ToldFaces(VisibleFaces method) {
+    public VisibleFacesPainter(VisibleFaces method) {
         this.method = method;
     }
 

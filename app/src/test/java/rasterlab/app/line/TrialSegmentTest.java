@@ -31,7 +31,7 @@ import rasterlab.engine.raster.Plotted;
 
 /** Shows what a program of the user's drew, beside the right line. */
 @Timeout(300)
-class TriedSegmentTest {
+class TrialSegmentTest {
     private static final Segment SHORT = new Segment(0, 0, 2, 0);
     private static final Segment LONG = new Segment(0, 0, 9_999, 0);
 
@@ -133,9 +133,9 @@ class TriedSegmentTest {
     @ValueSource(ints = {-1, 0, 1})
     void whatIsKeptIsWhatWasTried(int pixels) {
         var tried =
-                new TriedSegment(
+                new TrialSegment(
                         LONG, "dda", Optional.of(pixels).filter(n -> n >= 0).map(n -> plotted(n)));
-        TriedSegment back = SavedTrial.of(Optional.of(tried)).tried().orElseThrow();
+        TrialSegment back = SavedTrial.of(Optional.of(tried)).tried().orElseThrow();
         assertEquals(
                 tried.drawn().map(drawn -> drawn.pixels().size()),
                 back.drawn().map(drawn -> drawn.pixels().size()));
@@ -147,8 +147,8 @@ class TriedSegmentTest {
     @Test
     @DisplayName("millions of pixels are written at each start, or those left out count as missing")
     void ofManyPixelsTheFirstAreKept() {
-        var tried = new TriedSegment(LONG, "dda", Optional.of(plotted(SavedTrial.MOST + 1)));
-        TriedSegment back = SavedTrial.of(Optional.of(tried)).tried().orElseThrow();
+        var tried = new TrialSegment(LONG, "dda", Optional.of(plotted(SavedTrial.MOST + 1)));
+        TrialSegment back = SavedTrial.of(Optional.of(tried)).tried().orElseThrow();
         assertEquals(OptionalInt.of(SavedTrial.MOST), back.first());
     }
 

@@ -24,13 +24,13 @@ import rasterlab.engine.visibility.order.Sight;
  * <p>A whole face is filled as every method fills it. A piece is filled by its own corners, as they
  * were given: nothing else is known of it.
  */
-public final class ToldOrder implements SteppedVisibility {
+public final class DepthOrderPainter implements SteppedVisibility {
     private final DepthOrder method;
 
     /** A piece as it was given. */
     private record Piece(int polygon, double[] corners) {}
 
-    public ToldOrder(DepthOrder method) {
+    public DepthOrderPainter(DepthOrder method) {
         this.method = method;
     }
 

@@ -13,11 +13,11 @@ import java.nio.charset.StandardCharsets;
 import rasterlab.app.cli.Lab;
 
 /** Runs commands that the labs copy. */
-public final class Answered {
-    private Answered() {}
+public final class CommandOutput {
+    private CommandOutput() {}
 
     /** The output of {@code echo 'JSON' | ./lab run TOPIC METHOD}. */
-    public static JsonNode by(String command) throws IOException {
+    public static JsonNode of(String command) throws IOException {
         assertTrue(command.startsWith("echo '"), command);
         int end = command.indexOf("' | ./lab ");
         String json = command.substring("echo '".length(), end);
