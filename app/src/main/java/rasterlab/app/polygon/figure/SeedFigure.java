@@ -10,8 +10,8 @@ import rasterlab.engine.fill.FillTask;
  * A picture to be filled from a pixel.
  *
  * @param rows of characters, the top one first, all of one length; {@value #WALL} is a wall
- * @param seed the pixel to fill from
- * @param pen where a wall is put up or taken away
+ * @param seed the pixel to fill from; what is wrong with one outside, the methods tell
+ * @param pen the pixel where a wall is put up or taken away
  * @param same whether the new colour is the one that the seed has already
  */
 public record SeedFigure(
@@ -23,6 +23,23 @@ public record SeedFigure(
 
     public SeedFigure {
         rows = List.copyOf(rows);
+        requireAlike(rows);
+        int width = rows.get(0).length();
+        if (!isPixel(pen, width, rows.size()))
+            throw new IllegalArgumentException(
+                    "pen must be a pixel of the picture of %d×%d, got (%s, %s)"
+                            .formatted(width, rows.size(), pen.x(), pen.y()));
+    }
+
+    private static void requireAlike(List<String> rows) {
+        if (rows.isEmpty() || rows.get(0).isEmpty())
+            throw new IllegalArgumentException("a picture must have at least 1×1 pixel, got none");
+        int width = rows.get(0).length();
+        for (int y = 0; y < rows.size(); y++)
+            if (rows.get(y).length() != width)
+                throw new IllegalArgumentException(
+                        "row %d must have %d characters as row 0, got %d"
+                                .formatted(y, width, rows.get(y).length()));
     }
 
     /** Two rooms with holes, joined by a diagonal gap. */
@@ -77,7 +94,11 @@ public record SeedFigure(
     }
 
     private boolean isInside(PolygonPoint pixel) {
-        return pixel.x() >= 0 && pixel.x() < width() && pixel.y() >= 0 && pixel.y() < height();
+        return isPixel(pixel, width(), height());
+    }
+
+    private static boolean isPixel(PolygonPoint place, int width, int height) {
+        return place.x() >= 0 && place.x() < width && place.y() >= 0 && place.y() < height;
     }
 
     private char at(PolygonPoint pixel) {

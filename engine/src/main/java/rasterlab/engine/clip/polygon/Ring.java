@@ -16,6 +16,10 @@ public record Ring(double[] xy) {
     /** The most corners of a polygon to clip. */
     static final int MOST_CORNERS = 1 << 24;
 
+    public Ring {
+        xy = xy.clone();
+    }
+
     int size() {
         return xy.length / 2;
     }

@@ -305,4 +305,12 @@ class PolygonClipTest {
         assertArrayEquals(new double[] {10, 8, 0, 8}, walk.passage());
         assertEquals(0, new SutherlandHodgman().walk(TEN, bar).passage().length);
     }
+
+    @Test
+    void ringKeepsItsCornersWhereTheirArrayChanges() {
+        double[] corners = {0, 0, 4, 0, 0, 3};
+        var ring = new Ring(corners);
+        corners[2] = 9;
+        assertEquals(4, ring.x(1));
+    }
 }
