@@ -42,6 +42,11 @@ import rasterlab.grader.course.courses
 import rasterlab.grader.course.joining
 import rasterlab.grader.course.roster
 import rasterlab.grader.course.staff
+import rasterlab.grader.exam.ExamGuard
+import rasterlab.grader.exam.Exams
+import rasterlab.grader.exam.Sittings
+import rasterlab.grader.exam.exams
+import rasterlab.grader.exam.guardExams
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
 import rasterlab.grader.forwarding.Forwarding
@@ -88,6 +93,7 @@ import rasterlab.grader.web.classroom.frontPages
 import rasterlab.grader.web.comment.CommentedSource
 import rasterlab.grader.web.comment.commentPages
 import rasterlab.grader.web.comment.questionPages
+import rasterlab.grader.web.exam.examPages
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
@@ -123,6 +129,7 @@ data class ServerSettings(
  * The grading server without its socket: what it is made of, and how the parts are joined.
  *
  * @param isolation what shuts the students' methods in when [grading] runs them
+ * @param steady the clock of what is due after a while
  * @param children how many processes that compile and run sources live now
  */
 class Server(
@@ -132,6 +139,7 @@ class Server(
     private val isolation: Isolation,
     private val settings: ServerSettings = ServerSettings(),
     clock: InstantSource = InstantSource.system(),
+    private val steady: SteadyClock = SteadyClock(clock),
     stopping: () -> Boolean = { false },
     children: () -> Int = { 0 },
 ) : AutoCloseable {
@@ -161,7 +169,6 @@ class Server(
     private val sheets = Sheets(database)
     private val hints = Hints(database, clock)
     private val efforts = Efforts(database, hints)
-    private val steady = SteadyClock(clock)
     private val leases = Leases(database, reports, clock, steady, settings.name)
     private val meters = Meters(database, children, clock)
     private val attempts =
@@ -180,6 +187,8 @@ class Server(
             settings.name,
             Presence(workers, own),
         )
+    private val exams = Exams(database, steady)
+    private val sittings = Sittings(database, exercises, intake, steady, queue::ring)
     private val pageParts =
         PageParts(
             accounts,
@@ -207,11 +216,12 @@ class Server(
             live,
             workers,
             isolation,
+            sittings::closedTo,
             clock,
         )
 
     /** Begins to grade what waits. */
-    fun startGrading() = queue.start()
+    fun startGrading() = queue.start(sittings::settle)
 
     /** @param address at the other end of the connection, which may be a proxy's */
     fun install(
@@ -219,7 +229,7 @@ class Server(
         address: (ApplicationCall) -> String = { it.request.origin.remoteAddress },
     ) = with(application) {
         val forwarding = Forwarding(settings.proxies, address, settings.encrypted)
-        intercept(ApplicationCallPipeline.Setup) { call.attributes.put(Forwarding.SECURE, forwarding.isSecure(call)) }
+        intercept(ApplicationCallPipeline.Setup) { forwarding.note(call) }
         // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
         intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }
         waitForBodies(settings.bodyPatience)
@@ -236,9 +246,11 @@ class Server(
             }
         }
         protect()
+        guardExams(ExamGuard(accounts, sittings, submissions))
         routing {
             monitoring(database, isolation, meters)
             pages(pageParts, ENTRY)
+            examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
             errorPages(accounts, courses, exercises, last)
             commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
             questionPages(accounts, courses, exercises, comments, keptComments)
@@ -252,7 +264,7 @@ class Server(
                     workers(workers)
                     roster(courses, roster)
                     grades(grades)
-                    exercises(exercises, sheets::starter, rules::of, submissions::standingOf)
+                    exercises(exercises, sittings::closedTo, sheets::starter, rules::of, submissions::standingOf)
                     exerciseRules(courses, rules, exercises.all.map { it.id() }) { exercises.named(it) }
                     clones(courses, clones)
                     regrades(courses, exercises, regrades, queue, live)
@@ -264,6 +276,7 @@ class Server(
                     fronts(courses, exercises, front)
                     submissions(exercises, intake, queue, choices)
                     adjustments(submissions, adjustments)
+                    exams(courses, exercises, exams, sittings)
                     comments(submissions, comments)
                     courseComments(courses, comments, keptComments)
                     results(results, live)

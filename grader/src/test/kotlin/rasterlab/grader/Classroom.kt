@@ -38,6 +38,7 @@ import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
+import rasterlab.grader.submission.SteadyClock
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.nio.file.Path
@@ -62,6 +63,7 @@ class Classroom(
     private val exercise: Exercise = EXERCISE,
     private val kept: (String, String) -> Exercise? = { _, _ -> null },
     private val clock: InstantSource = InstantSource.system(),
+    private val nanos: () -> Long = System::nanoTime,
 ) {
     val file: Path = folder.resolve("test.db")
 
@@ -93,7 +95,9 @@ class Classroom(
 
     private fun serve(use: (Server, Database, String) -> Unit) =
         TestDatabases.open(folder).use { database ->
-            Server(database, Exercises(listOf(exercise), kept), grading, ISOLATION, settings, clock).use { server ->
+            val exercises = Exercises(listOf(exercise), kept)
+            val steady = SteadyClock(clock, nanos)
+            Server(database, exercises, grading, ISOLATION, settings, clock, steady).use { server ->
                 val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
                 server.accounts.instructorAnnounced()
                 use(server, database, token)

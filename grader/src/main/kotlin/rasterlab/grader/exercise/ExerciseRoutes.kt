@@ -58,12 +58,14 @@ private data class PlanView(
  * Serves exercises, inside `authenticate`. A deadline is null where none is set, attempts left as
  * long as nobody limits them.
  *
+ * @param closed the exercises that somebody does not get now
  * @param starter what somebody begins an exercise with
  * @param rules that hold for somebody, by exercise
  * @param standing how far somebody has come; null for whoever hands nothing in
  */
 fun Route.exercises(
     exercises: Exercises,
+    closed: (Identity) -> Set<String>,
     starter: (Identity, Exercise) -> String,
     rules: (Identity) -> Map<String, ExerciseRules>,
     standing: (Identity) -> StudentStanding?,
@@ -71,7 +73,8 @@ fun Route.exercises(
     get("/exercises") {
         val held = rules(call.identity())
         val come = standing(call.identity())
-        call.respondJson(exercises.all.map { it.view(call.language(), held, come) })
+        val shown = closed(call.identity()).let { kept -> exercises.all.filter { it.id() !in kept } }
+        call.respondJson(shown.map { it.view(call.language(), held, come) })
     }
     get("/exercises/{id}") {
         val exercise = exercises.named(call.exerciseId())

@@ -34,11 +34,20 @@ class Forwarding(
         encrypted ||
             (isProxy(direct(call)) && call.request.headers["X-Forwarded-Proto"].equals("https", ignoreCase = true))
 
+    /** Puts both with the call, for whoever answers it. */
+    fun note(call: ApplicationCall) {
+        call.attributes.put(SECURE, isSecure(call))
+        call.attributes.put(CLIENT, clientOf(call))
+    }
+
     private fun isProxy(address: String) = parse(address) in proxies
 
     companion object {
         /** Whether the client's connection is encrypted, with each call. */
         val SECURE = AttributeKey<Boolean>("rasterlab secure")
+
+        /** The client's own address, with each call. */
+        val CLIENT = AttributeKey<String>("rasterlab client")
 
         private const val BYTE = "(25[0-5]|2[0-4][0-9]|1?[0-9]?[0-9])"
         private val IPV4 = Regex("""$BYTE(\.$BYTE){3}""")

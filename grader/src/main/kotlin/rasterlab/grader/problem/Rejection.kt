@@ -1,23 +1,9 @@
 // Every way to say no, and how it is shown. A handler throws a Rejection; Problems.kt turns it into an answer.
 package rasterlab.grader.problem
 
-import io.ktor.http.HttpStatusCode
-import io.ktor.http.HttpStatusCode.Companion.BadRequest
-import io.ktor.http.HttpStatusCode.Companion.Conflict
-import io.ktor.http.HttpStatusCode.Companion.Forbidden
-import io.ktor.http.HttpStatusCode.Companion.MethodNotAllowed
-import io.ktor.http.HttpStatusCode.Companion.NotFound
-import io.ktor.http.HttpStatusCode.Companion.PayloadTooLarge
-import io.ktor.http.HttpStatusCode.Companion.RequestTimeout
-import io.ktor.http.HttpStatusCode.Companion.ServiceUnavailable
-import io.ktor.http.HttpStatusCode.Companion.TooManyRequests
-import io.ktor.http.HttpStatusCode.Companion.Unauthorized
-import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
-import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
 import rasterlab.exercises.CatalogueException
 import rasterlab.exercises.SourceEncoding
 import rasterlab.grader.limits.Allowance
-import rasterlab.grader.limits.secondsToWait
 import rasterlab.grader.wording.Wording
 import java.time.Instant
 import java.util.Locale
@@ -174,6 +160,36 @@ sealed class Rejection(
     class UnknownAdjustment(
         id: String,
     ) : Explained("adjustments", "unknown", arrayOf(id), "unknown-adjustment")
+
+    /** An exam that cannot be; nothing is stored. */
+    class BadExam(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("exams", fault, values, "bad-exam")
+
+    class UnknownExam(
+        id: String,
+    ) : Rejection("no exam '$id'", "unknown-exam")
+
+    /** The student has an exam now, and nothing beside. */
+    class InExam(
+        exam: String,
+    ) : Rejection("while the exam '$exam' runs, there is nothing but it; see /exams", "in-exam")
+
+    class ExamNotOpen(
+        exam: String,
+    ) : Rejection("the exam '$exam' is not open, or you have not opened it", "exam-not-open")
+
+    class ExamOver(
+        exam: String,
+    ) : Rejection("the exam '$exam' is over", "exam-over")
+
+    class ExamAddress(
+        address: String,
+    ) : Rejection("the exam cannot be opened from the address $address", "exam-address")
+
+    /** Another browser or program has the exam, or staff let the next one in, which has to open it. */
+    class OtherSession : Rejection("another session has this exam; staff can release it", "other-session")
 
     class UnknownRegrade(
         id: String,
@@ -344,36 +360,3 @@ sealed class Rejection(
 
     class NoRoom : Rejection("the server's disk is full; nothing was stored, try again later", "no-room")
 }
-
-fun Rejection.status(): HttpStatusCode =
-    when (this) {
-        is Rejection.NotSignedIn -> Unauthorized
-        is Rejection.WrongRole, is Rejection.ForeignOrigin, is Rejection.ForeignComment -> Forbidden
-        is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
-        is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
-        is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
-        is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment, is Rejection.UnknownComment -> NotFound
-        is Rejection.UnknownWorker -> NotFound
-        is Rejection.RegradeStands -> Conflict
-        is Rejection.Malformed -> BadRequest
-        is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
-        is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
-        is Rejection.BadSheet, is Rejection.BadAnswers, is Rejection.Explained -> UnprocessableEntity
-        is Rejection.NoMoreHints, is Rejection.HintOrder, is Rejection.Late, is Rejection.LastInstructor -> Conflict
-        is Rejection.NotOpen, is Rejection.NoAttemptsLeft, is Rejection.NothingToChoose -> Conflict
-        is Rejection.WrongMethod -> MethodNotAllowed
-        is Rejection.TooLarge -> PayloadTooLarge
-        is Rejection.WrongMediaType, is Rejection.Kotlin -> UnsupportedMediaType
-        is Rejection.TooSlow -> RequestTimeout
-        is Rejection.TooManyQueued, is Rejection.TooFast -> TooManyRequests
-        is Rejection.NoRoom -> ServiceUnavailable
-    }
-
-/** Seconds after which the same request may succeed, or null. */
-fun Rejection.retryAfter(): Int? =
-    when (this) {
-        is Rejection.TooManyQueued -> retryAfterSeconds
-        is Rejection.TooFast -> allowance.refill.secondsToWait()
-        is Rejection.NoRoom -> 60
-        else -> null
-    }

@@ -82,6 +82,25 @@ data class KeptComment(
     val editedAt: String?,
 )
 
+/** The text that the student wrote last for an exercise of an exam. */
+@Serializable
+data class KeptDraft(
+    val exam: String,
+    val exercise: String,
+    val savedAt: String,
+    val source: String,
+)
+
+/** A line of the student in the protocol of an exam. */
+@Serializable
+data class KeptExamEvent(
+    val exam: String,
+    val notedAt: String,
+    val kind: String,
+    val address: String,
+    val detail: String,
+)
+
 /**
  * Everything that is kept about a student.
  *
@@ -101,6 +120,8 @@ data class KeptStudent(
     val hints: List<KeptHint>,
     val submissions: List<KeptSubmission>,
     val comments: List<KeptComment>,
+    val drafts: List<KeptDraft> = emptyList(),
+    val examEvents: List<KeptExamEvent> = emptyList(),
 )
 
 /** Gives out, and deletes, what is kept about one student. Tokens are kept as hashes only, and are not given out. */
@@ -200,6 +221,8 @@ class StudentRecords(
                 submissions = handle.of("submissions", "sequence", student) { submission(it, results, points) },
                 comments =
                     handle.rows("$SAID $OWN ORDER BY c.written_at, c.id", student, ::comment),
+                drafts = handle.of("exam_drafts", "exam_id, exercise", student, ::draft),
+                examEvents = handle.of("exam_events", "exam_id, number", student, ::examEvent),
             ) ?: throw Rejection.UnknownStudent(student)
     }
 
@@ -240,6 +263,23 @@ class StudentRecords(
             row.getString("text"),
             row.getString("written_at"),
             row.getString("edited_at"),
+        )
+
+    private fun draft(row: ResultSet) =
+        KeptDraft(
+            row.getString("exam_id"),
+            row.getString("exercise"),
+            row.getString("saved_at"),
+            row.getString("source"),
+        )
+
+    private fun examEvent(row: ResultSet) =
+        KeptExamEvent(
+            row.getString("exam_id"),
+            row.getString("noted_at"),
+            row.getString("kind"),
+            row.getString("address"),
+            row.getString("detail"),
         )
 
     private fun result(row: ResultSet) =
@@ -296,6 +336,9 @@ class StudentRecords(
             """made = :student OR made IN ($THEIRS) OR owner = 'hints ' || :student
                OR made IN (SELECT id FROM comments WHERE submission_id IN ($THEIRS))"""
 
+        /** The tables of what a student did at exams. */
+        val EXAMS = listOf("exam_events", "exam_drafts", "exam_sittings")
+
         /** Deletes what refers to something before that. */
         val DELETIONS =
             listOf(
@@ -310,6 +353,7 @@ class StudentRecords(
                     "comments",
                     "adjustments",
                 ).map { "DELETE FROM $it WHERE submission_id IN ($THEIRS)" } +
+                EXAMS.map { "DELETE FROM $it WHERE student_id = :student" } +
                 listOf("submissions", "hints", "extensions", "roster_fields").map {
                     "DELETE FROM $it WHERE student_id = :student"
                 } +

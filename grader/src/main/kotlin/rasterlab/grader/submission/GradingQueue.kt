@@ -71,8 +71,10 @@ class GradingQueue(
     /**
      * Takes up what an earlier process left, and goes on from there: everything where no other can use the database,
      * and else what one of this name had.
+     *
+     * @param due done before each sweep, as it may hand something in
      */
-    fun start() {
+    fun start(due: () -> Unit = {}) {
         database.now()?.let(clock::follow)
         if (database.isShared) leases.releaseHeld() else leases.releaseAll()
         database.write {
@@ -84,7 +86,7 @@ class GradingQueue(
         }
         presence?.begin()
         scheduler.start()
-        sweeper.scheduleWithFixedDelay(::keepAndSweep, 0, SWEEP.toMillis(), TimeUnit.MILLISECONDS)
+        sweeper.scheduleWithFixedDelay({ keepAndSweep(due) }, 0, SWEEP.toMillis(), TimeUnit.MILLISECONDS)
     }
 
     /**
@@ -165,12 +167,13 @@ class GradingQueue(
     }
 
     // The scheduled executor would never call again after an exception.
-    private fun keepAndSweep() {
+    private fun keepAndSweep(due: () -> Unit) {
         tellSteps()
         try {
             followDatabase()
             attempts.renew()
             take(!ends && presence?.seen() != true)
+            due()
             sweep()
             lookForMoves()
             if (failing) log.info("the sweep goes on")

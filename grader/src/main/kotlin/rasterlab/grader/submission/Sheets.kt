@@ -35,7 +35,7 @@ class Sheets(
     ): Sheet? {
         val rules = exercise.predicting().getOrNull() ?: return null
         val student = who as? Identity.StudentIdentity
-        val seed = student?.let { database.write { handle -> seed(handle, it, exercise) } } ?: SheetText.freshSeed()
+        val seed = student?.let { database.write { handle -> seed(handle, it.id, exercise) } } ?: SheetText.freshSeed()
         return Sheet.of(exercise.topic(), rules, seed)
     }
 
@@ -43,7 +43,7 @@ class Sheets(
         /** The seed of the sheet that the student's next attempt answers. */
         fun seed(
             handle: Handle,
-            student: Identity.StudentIdentity,
+            student: String,
             exercise: Exercise,
         ): Long {
             val attempt =
@@ -51,11 +51,11 @@ class Sheets(
                     .createQuery(
                         """SELECT coalesce(max(attempt), 0) + 1 FROM submissions
                            WHERE student_id = :student AND exercise = :exercise""",
-                    ).bind("student", student.id)
+                    ).bind("student", student)
                     .bind("exercise", exercise.id())
                     .mapTo(Int::class.javaObjectType)
                     .one()
-            val drawn = Secrets.derive(handle, "sheet ${exercise.id()} ${exercise.revision()} ${student.id} $attempt")
+            val drawn = Secrets.derive(handle, "sheet ${exercise.id()} ${exercise.revision()} $student $attempt")
             return drawn.encodeToByteArray().fold(0L) { seed, byte -> 31 * seed + byte } and Sheet.MOST_SEED
         }
 

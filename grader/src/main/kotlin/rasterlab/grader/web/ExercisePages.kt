@@ -45,10 +45,16 @@ fun Route.exercisePages(
     submissions: Submissions,
     intake: Intake,
     queue: GradingQueue,
+    closed: (Identity) -> Set<String>,
     clock: InstantSource,
 ) {
     val page = ExercisePage(rules, exercises, sheets, hints, submissions, Formulas(), clock)
-    get("/exercises") { call.respondExercises(call.someone(accounts), exercises, rules, submissions, clock) }
+    get("/exercises") {
+        val who = call.someone(accounts)
+        val kept = closed(who)
+        val shown = exercises.all.filter { it.id() !in kept }
+        call.respondExercises(who, shown, kept.isNotEmpty(), rules, submissions, clock)
+    }
     get("/exercises/{id}") {
         page.show(call, call.someone(accounts), exercises.named(call.parameters.getOrFail("id")))
     }
@@ -76,10 +82,15 @@ fun Route.exercisePages(
     }
 }
 
-/** The way through the course, and how far a student has come on it. */
+/**
+ * The way through the course, and how far a student has come on it.
+ *
+ * @param exams whether some exercises are kept for exams
+ */
 private suspend fun ApplicationCall.respondExercises(
     who: Identity,
-    exercises: Exercises,
+    exercises: List<Exercise>,
+    exams: Boolean,
     rules: CourseRules,
     submissions: Submissions,
     clock: InstantSource,
@@ -89,8 +100,9 @@ private suspend fun ApplicationCall.respondExercises(
     val held = rules.of(who)
     val bests = submissions.bestsOf(who)
     respondPage(texts, who, texts.say("exercises.title")) {
-        if (exercises.all.isEmpty()) p { +texts.say("exercises.none") }
-        Chapter.of(exercises.all).forEach { chapter(texts, it, held, bests, now) }
+        if (exams) p("ways") { a("/exams") { +texts.say("exam.title") } }
+        if (exercises.isEmpty()) p { +texts.say("exercises.none") }
+        Chapter.of(exercises).forEach { chapter(texts, it, held, bests, now) }
     }
 }
 

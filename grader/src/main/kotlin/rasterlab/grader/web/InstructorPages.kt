@@ -197,6 +197,7 @@ private fun FlowContent.courseList(
                     a("/instructor/courses/${course.id}/questions") {
                         +texts.say("instructor.questions", questions[course.id] ?: 0)
                     }
+                    a("/instructor/courses/${course.id}/exams") { +texts.say("exams.open") }
                     if (mayChange) a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }
                 }
                 details {

@@ -14,6 +14,7 @@ import rasterlab.grader.comment.Comments
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Identity
 import rasterlab.grader.course.RosterImport
 import rasterlab.grader.course.Staff
 import rasterlab.grader.exercise.Exercises
@@ -42,7 +43,7 @@ fun Route.pages(
     staticResources("/assets", "rasterlab.grader.web.assets")
     welcome(accounts)
     rateLimit(entry) { entering(accounts, courses) }
-    exercisePages(accounts, rules, exercises, sheets, hints, submissions, intake, queue, clock)
+    exercisePages(accounts, rules, exercises, sheets, hints, submissions, intake, queue, closed, clock)
     choicePages(accounts, choices)
     hintPages(accounts, exercises, hints)
     resultPages(accounts, exercises, submissions, results, resultPage)
@@ -59,7 +60,11 @@ fun Route.pages(
     workerPages(accounts, workers)
 }
 
-/** The services that the pages ask. */
+/**
+ * The services that the pages ask.
+ *
+ * @param closed the exercises that somebody does not get now, since they are kept for exams
+ */
 class PageParts(
     val accounts: Accounts,
     val courses: Courses,
@@ -86,6 +91,7 @@ class PageParts(
     val live: Live,
     val workers: Workers,
     val isolation: Isolation,
+    val closed: (Identity) -> Set<String>,
     val clock: InstantSource,
 ) {
     val resultPage = ResultPage(exercises, submissions, results, adjustments, handed)

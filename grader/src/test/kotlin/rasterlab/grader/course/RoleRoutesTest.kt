@@ -181,6 +181,7 @@ class RoleRoutesTest {
                 "regrade" to "none",
                 "worker" to "none",
                 "adjustment" to "none",
+                "exam" to "none",
                 "comment" to question.text("id"),
                 "kept" to "none",
                 "case" to "open-case",

@@ -1,5 +1,6 @@
 package rasterlab.grader.storage
 
+import rasterlab.grader.exam.ExamTest
 import rasterlab.grader.exercise.KeptExercisesTest
 import rasterlab.grader.metrics.MetersTest
 import rasterlab.grader.postgres.OnPostgres
@@ -15,6 +16,10 @@ import rasterlab.grader.web.PagesTest
 
 @OnPostgres
 class AttemptsOnPostgresTest : AttemptsTest()
+
+/** Students have a time at an exam, and one browser. */
+@OnPostgres
+class ExamOnPostgresTest : ExamTest()
 
 @OnPostgres
 class KeptExercisesOnPostgresTest : KeptExercisesTest()

@@ -139,6 +139,30 @@ class TablesTest {
             }
         }
 
+    @Test
+    @DisplayName("a course of version 18 is lost in one of the databases, or takes no exam")
+    fun takesExamsWhereThereWereNone() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("11")
+                fill(source, 11)
+                Tables(source).migrate("18")
+                source.execute("UPDATE submissions SET penalty = 30, penalty_agreed = 30")
+                source.execute("INSERT INTO kept_comments VALUES ('q', 'c', 'names', 'Say it.', 'i', '$THEN')")
+                Tables(source).migrate()
+                assertWhole(source, 11)
+                source.assertRows("penalty, penalty_agreed FROM submissions", "30 30")
+                source.assertRows("name FROM kept_comments", "names")
+                source.assertRows("count(*) FROM exams", "0")
+                source.execute(
+                    "INSERT INTO exams VALUES ('e', 'c', 'Midterm', '$THEN', '$THEN', 'UTC', 90, 0, 30, '', 0)",
+                )
+                source.execute("INSERT INTO exam_exercises VALUES ('e', 'draw-dot', 0)")
+                source.execute("INSERT INTO exam_sittings (exam_id, student_id) VALUES ('e', 'a')")
+                source.assertRows("student_id, extra, started_at FROM exam_sittings", "a 0 null")
+            }
+        }
+
     private fun sqlite(): DataSource =
         SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
             .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }

@@ -127,20 +127,48 @@ class SchemaFuzzTest {
                 bearer(instructor)
                 json("""{"name":"names","text":"Say it in the name."}""")
             }
+        val (exam, examined) = exam()
         return mapOf(
+            "exam" to listOf(exam),
             "adjustment" to adjustments,
             "comment" to comments.map { it.json().text("id") },
             "kept" to listOf(kept.json().text("id")),
             "regrade" to listOf(regrade),
             "course" to listOf(course),
             "id" to listOf("draw-dot", id),
-            "student" to listOf(all.last().path("student").asText()),
+            "student" to listOf(all.last().path("student").asText(), examined),
             "staff" to listOf(Staff(database, InstantSource.system()).all().first().id),
             "case" to listOf("open-case", "hidden-case"),
             "picture" to listOf("expected.png", "actual.png"),
             "name" to listOf("dot.svg"),
             "token" to listOf(student, student, instructor, instructor, "", "no-token"),
         )
+    }
+
+    /** An exam and a student of it, in a course of its own: nobody gets its exercise in that one. */
+    private suspend fun Visit.exam(): Pair<String, String> {
+        val course =
+            client
+                .post("/api/v1/courses") {
+                    bearer(instructor)
+                    json("""{"name":"Examined"}""")
+                }.json()
+        newStudent(course.text("code"))
+        val made =
+            client.post("/api/v1/courses/${course.text("course")}/exams") {
+                bearer(instructor)
+                json(
+                    """{"name":"Midterm","exercises":["draw-dot"],"opens":"2037-03-01T10:00","closes":"2037-03-01T12:00",
+                        "minutes":30,"grace":30}""",
+                )
+            }
+        val students = look(instructor, "/api/v1/courses/${course.text("course")}/students").bodyAsText()
+        return made.json().text("exam") to
+            mapper
+                .readTree(students)
+                .last()
+                .path("student")
+                .asText()
     }
 
     private suspend fun Visit.ask(

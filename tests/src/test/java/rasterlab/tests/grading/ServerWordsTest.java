@@ -51,6 +51,9 @@ class ServerWordsTest {
                     Rejection.UnknownStaff.class,
                     Rejection.UnknownWorker.class,
                     Rejection.LastInstructor.class,
+                    Rejection.UnknownExam.class,
+                    Rejection.ExamNotOpen.class,
+                    Rejection.ExamOver.class,
                     Rejection.WrongMethod.class,
                     Rejection.WrongMediaType.class);
 
@@ -83,6 +86,9 @@ class ServerWordsTest {
                 new Rejection.Late(
                         Instant.EPOCH, new Rejection.Lateness.TakesDay(1, 2, Instant.EPOCH)),
                 new Rejection.Late(Instant.EPOCH, new Rejection.Lateness.Practice(Instant.EPOCH)),
+                new Rejection.InExam("Spring"),
+                new Rejection.ExamAddress("192.0.2.1"),
+                new Rejection.OtherSession(),
                 new Rejection.NoRoom());
     }
 

@@ -1,0 +1,210 @@
+package rasterlab.grader.exam
+
+import io.ktor.http.ContentType
+import io.ktor.http.HttpHeaders
+import io.ktor.http.HttpStatusCode.Companion.Created
+import io.ktor.http.withCharset
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.header
+import io.ktor.server.response.respondText
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.delete
+import io.ktor.server.routing.get
+import io.ktor.server.routing.patch
+import io.ktor.server.routing.post
+import io.ktor.server.util.getOrFail
+import kotlinx.serialization.Serializable
+import rasterlab.exercises.json.JsonFields
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.instructor
+import rasterlab.grader.course.staff
+import rasterlab.grader.course.student
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.receiveJson
+import rasterlab.grader.problem.respondJson
+import rasterlab.grader.rules.course
+import rasterlab.grader.rules.named
+import rasterlab.grader.storage.text
+import java.time.Instant
+
+@Serializable
+private data class ExamAnswer(
+    val exam: String,
+    val course: String,
+    val name: String,
+    val exercises: List<String>,
+    val opens: String,
+    val closes: String,
+    val zone: String,
+    val minutes: Int,
+    val starts: String,
+    val grace: Int,
+    val addresses: String,
+    val second: String,
+)
+
+@Serializable
+private data class SeatAnswer(
+    val student: String,
+    val name: String,
+    val state: String,
+    val extra: Int,
+    val startedAt: String?,
+    val endsAt: String?,
+    val endedAt: String?,
+    val address: String?,
+)
+
+@Serializable
+private data class WatchedExamAnswer(
+    val exam: ExamAnswer,
+    val students: List<SeatAnswer>,
+)
+
+@Serializable
+private data class OwnExamAnswer(
+    val exam: String,
+    val name: String,
+    val state: String,
+    val opens: String,
+    val closes: String,
+    val minutes: Int,
+    val endsAt: String?,
+    val secondsLeft: Long,
+)
+
+/**
+ * Serves exams to staff, inside `authenticate`, and tells students when theirs are: these work on them in a browser,
+ * whose session is the one that may.
+ */
+fun Route.exams(
+    courses: Courses,
+    exercises: Exercises,
+    exams: Exams,
+    sittings: Sittings,
+) {
+    get("/exams") {
+        val student = call.student()
+        sittings.settle()
+        call.respondJson(sittings.of(student).map { own(it, sittings.now()) })
+    }
+    get("/courses/{course}/exams") {
+        call.staff()
+        call.respondJson(exams.ofCourse(call.course(courses).id).map(::answer))
+    }
+    post("/courses/{course}/exams") {
+        val instructor = call.instructor()
+        val course = call.course(courses)
+        val form = call.receiveJson(*CODES) { ExamForm(told(it), it.texts(EXERCISES).onEach(exercises::named)) }
+        call.respondJson(answer(exams.create(course, form, instructor.id)), Created)
+    }
+    get("/exams/{exam}") {
+        call.staff()
+        sittings.settle()
+        val exam = exams.find(call.examId())
+        call.respondJson(WatchedExamAnswer(answer(exam), exams.seats(exam).map { answer(it, sittings.now()) }))
+    }
+    delete("/exams/{exam}") {
+        val instructor = call.instructor()
+        call.respondJson(answer(exams.drop(call.examId(), instructor.id)))
+    }
+    get("/exams/{exam}/protocol.csv") {
+        call.staff()
+        call.respondProtocol(exams)
+    }
+    patch("/exams/{exam}/students/{student}") {
+        val instructor = call.instructor()
+        val exam = exams.find(call.examId())
+        val minutes = call.receiveJson("extra") { it.tree("extra").asText("") }
+        exams.give(exam, call.studentId(), minutes, instructor.id)
+        call.respondSeat(exams, exam, sittings.now())
+    }
+    post("/exams/{exam}/students/{student}/release") {
+        val staff = call.staff()
+        val exam = exams.find(call.examId())
+        exams.release(exam, call.studentId(), staff.id)
+        call.respondSeat(exams, exam, sittings.now())
+    }
+}
+
+/** Answers with the protocol of the exam that the address names, as a file. */
+suspend fun ApplicationCall.respondProtocol(exams: Exams) {
+    val exam = exams.find(examId())
+    response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"protocol.csv\"")
+    respondText(ExamEvents.csv(exams.events(exam)), ContentType.Text.CSV.withCharset(Charsets.UTF_8))
+}
+
+private const val EXERCISES = "exercises"
+private val CODES = ExamField.entries.map { it.code }.toTypedArray() + EXERCISES
+
+/** The fields as texts; a number may stand for what is one. */
+private fun told(body: JsonFields): Map<ExamField, String> =
+    ExamField.entries.filter { body.tree().has(it.code) }.associateWith { field ->
+        val node = body.tree().get(field.code)
+        node.asText(node.toString())
+    }
+
+private fun ApplicationCall.examId() = parameters.getOrFail("exam")
+
+private fun ApplicationCall.studentId() = parameters.getOrFail("student")
+
+private suspend fun ApplicationCall.respondSeat(
+    exams: Exams,
+    exam: Exam,
+    now: Instant,
+) {
+    val seat = exams.seats(exam).firstOrNull { it.sitting.student == studentId() }
+    respondJson(answer(seat ?: throw Rejection.UnknownStudent(studentId()), now))
+}
+
+private fun answer(exam: Exam) =
+    ExamAnswer(
+        exam.id,
+        exam.course,
+        exam.name,
+        exam.exercises,
+        exam.opens.text(),
+        exam.closes.text(),
+        exam.zone.named(),
+        exam.minutes,
+        if (exam.fixed) ExamForm.FIXED else ExamForm.FIRST,
+        exam.grace,
+        exam.addresses.text,
+        if (exam.takesOver) ExamForm.END else ExamForm.REFUSE,
+    )
+
+private fun answer(
+    seat: SeatedStudent,
+    now: Instant,
+): SeatAnswer {
+    val sitting = seat.sitting
+    return SeatAnswer(
+        sitting.student,
+        seat.name,
+        sitting.state(now).code,
+        sitting.extra,
+        sitting.started?.text(),
+        sitting.ends?.text(),
+        sitting.ended?.text(),
+        sitting.address,
+    )
+}
+
+private fun own(
+    sitting: Sitting,
+    now: Instant,
+): OwnExamAnswer {
+    val exam = sitting.exam
+    val state = sitting.state(now)
+    return OwnExamAnswer(
+        exam.id,
+        exam.name,
+        state.code,
+        exam.opens.text(),
+        exam.closes.text(),
+        exam.minutes + sitting.extra,
+        sitting.ends?.text(),
+        if (state == SittingState.OVER) 0 else sitting.left(now),
+    )
+}

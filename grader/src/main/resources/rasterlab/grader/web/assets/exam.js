@@ -1,0 +1,57 @@
+// Lets the clock of an exam run by the seconds that the server says are left, and keeps what is typed: every few seconds
+// where it has changed, and when time is over.
+"use strict";
+
+const clock = document.querySelector("#clock");
+const EVERY = 5000;
+
+if (clock) {
+  const shown = clock.querySelector(".left");
+  const forms = [...document.querySelectorAll("form[data-draft]")];
+  let end = performance.now() + 1000 * Number(clock.dataset.left);
+  let over = false;
+
+  const kept = new Map(forms.map((form) => [form, form.elements.source.value]));
+
+  const keep = async (form) => {
+    const text = form.elements.source.value;
+    if (text === kept.get(form)) return;
+    const line = form.querySelector("[role=status]");
+    const body = new FormData(form);
+    body.set("quiet", "yes");
+    try {
+      const answer = await fetch(form.dataset.draft, { method: "POST", body, credentials: "same-origin" });
+      if (!answer.ok) throw new Error(answer.statusText);
+      kept.set(form, text);
+      end = performance.now() + 1000 * Number(await answer.text());
+      line.textContent = form.dataset.saved;
+    } catch {
+      line.textContent = form.dataset.failed;
+    }
+  };
+
+  // Goes to what the server says of the end. While it cannot be reached, the page stays, and what is typed with it.
+  const leave = async () => {
+    try {
+      await fetch(location.href, { method: "GET", credentials: "same-origin" });
+      location.reload();
+    } catch {
+      setTimeout(leave, EVERY);
+    }
+  };
+
+  const tick = () => {
+    const left = Math.max(0, Math.ceil((end - performance.now()) / 1000));
+    const two = (number) => String(number).padStart(2, "0");
+    shown.textContent = `${Math.floor(left / 3600)}:${two(Math.floor(left / 60) % 60)}:${two(left % 60)}`;
+    clock.classList.toggle("soon", left < 300);
+    if (left > 0 || over) return;
+    over = true;
+    forms.forEach(keep);
+    setTimeout(leave, 1000 * (Number(clock.dataset.grace) + 2));
+  };
+
+  tick();
+  setInterval(tick, 1000);
+  setInterval(() => forms.forEach(keep), EVERY);
+}
