@@ -26,6 +26,11 @@ import org.openqa.selenium.Dimension;
 class AccessiblePagesTest {
     private static final Set<String> SERIOUS = Set.of("serious", "critical");
 
+    private static final String EXAM =
+            "{\"name\":\"Midterm\",\"exercises\":[\"line-bresenham\",\"predict-circle\"],"
+                    + "\"opens\":\"2026-01-01T00:00\",\"closes\":\"2098-01-01T00:00\","
+                    + "\"minutes\":4,\"grace\":30}";
+
     @TempDir private static Path folder;
     private static ServerProcess server;
     private static GraderClient instructor;
@@ -62,7 +67,8 @@ class AccessiblePagesTest {
                             "/exercises",
                             "/exercises/line-bresenham",
                             "/exercises/break-clip-segment",
-                            "/exercises/predict-circle")) findings.addAll(findings(browser, page));
+                            "/exercises/predict-circle",
+                            "/exams")) findings.addAll(findings(browser, page));
             browser.driver().get(address("/exercises/line-bresenham"));
             browser.element("textarea[name=source]").sendKeys(Solutions.source(Solutions.WRONG));
             browser.element("form[action='/exercises/line-bresenham'] button").click();
@@ -79,14 +85,39 @@ class AccessiblePagesTest {
         instructor.post("/join", "{\"course\":\"" + code + "\",\"name\":\"Emmy\"}");
         try (Browser browser = Browser.open(profile, language)) {
             dress(browser, scheme, width);
-            browser.driver().get(address("/"));
-            browser.fill("token", server.token());
-            browser.element("form[action='/sign-in'] button").click();
-            browser.element("form[action='/sign-out']");
+            signIn(browser, server.token());
             List<String> findings = new ArrayList<>();
             for (String page : pagesOf(browser)) findings.addAll(findings(browser, page));
             assertEquals(List.of(), findings);
         }
+    }
+
+    @ParameterizedTest(name = "{0}, {1}, {2} pixels wide")
+    @CsvSource({"en, dark, 1280", "ru, light, 390"})
+    void examPagesHaveNoSeriousFinding(String language, String scheme, int width) throws Exception {
+        String course = instructor.post("/courses", "{\"name\":\"Exam\"}").path("code").asText();
+        String joining = "{\"course\":\"" + course + "\",\"name\":\"Emmy\"}";
+        String student = instructor.post("/join", joining).path("token").asText();
+        String exam = instructor.post("/courses/" + course + "/exams", EXAM).path("exam").asText();
+        try (Browser browser = Browser.open(profile, language)) {
+            dress(browser, scheme, width);
+            signIn(browser, student);
+            List<String> findings = new ArrayList<>(findings(browser, "/exams"));
+            browser.element("form[action='/exams/" + exam + "/open'] button").click();
+            browser.element("#clock");
+            findings.addAll(findings(browser, "an exam"));
+            browser.element("form[action='/sign-out'] button").click();
+            signIn(browser, server.token());
+            findings.addAll(findings(browser, "/instructor/exams/" + exam));
+            assertEquals(List.of(), findings);
+        }
+    }
+
+    private static void signIn(Browser browser, String token) {
+        browser.driver().get(address("/"));
+        browser.fill("token", token);
+        browser.element("form[action='/sign-in'] button").click();
+        browser.element("form[action='/sign-out']");
     }
 
     /** The pages that the instructor's own page leads to, and that one, one of each kind. */
