@@ -81,6 +81,7 @@ import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Marks
 import rasterlab.grader.submission.Reports
+import rasterlab.grader.submission.SharedMoves
 import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.SteadyClock
 import rasterlab.grader.submission.Submissions
@@ -154,7 +155,8 @@ class Server(
     private val clones = CourseClones(database, clock)
     private val regrades = Regrades(database, clock)
     private val records = StudentRecords(database, clock)
-    private val live = Live()
+    private val moves = SharedMoves(database, settings.name)
+    private val live = Live(moves::tell)
     private val submissions = Submissions(database)
     private val similar = Similar(database)
     private val last = LastResults(database)
@@ -221,7 +223,10 @@ class Server(
         )
 
     /** Begins to grade what waits. */
-    fun startGrading() = queue.start(sittings::settle)
+    fun startGrading() {
+        queue.start(sittings::settle)
+        moves.listen(live::heard)
+    }
 
     /** @param address at the other end of the connection, which may be a proxy's */
     fun install(
@@ -286,7 +291,10 @@ class Server(
     }
 
     /** Lets running attempts end or puts them back. */
-    override fun close() = queue.close()
+    override fun close() {
+        queue.close()
+        moves.close()
+    }
 
     private companion object {
         val ENTRY = RateLimitName("entry")

@@ -20,6 +20,7 @@ import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
+import rasterlab.grader.submission.SharedMoves
 import rasterlab.grader.submission.SpeedBands
 import rasterlab.grader.submission.SteadyClock
 import rasterlab.grader.submission.Submissions
@@ -86,11 +87,13 @@ internal class WorkerCommand(
             Judge.start(JudgeSettings.defaults(), SpeedBands(database)).use { judge ->
                 judge.closedByCaller()
                 logIsolation(judge.isolation())
-                queue(name, database, judge, stop).use { queue ->
-                    queue.start()
-                    announce(name, judge)
-                    while (!stop.await(GLANCE)) if (queue.isDrained()) break
-                    queue.drain(LAST_WORK)
+                SharedMoves(database, name).use { moves ->
+                    queue(name, database, judge, Live(moves::tell), stop).use { queue ->
+                        queue.start()
+                        announce(name, judge)
+                        while (!stop.await(GLANCE)) if (queue.isDrained()) break
+                        queue.drain(LAST_WORK)
+                    }
                 }
             }
         }
@@ -101,12 +104,12 @@ internal class WorkerCommand(
         name: String,
         database: Database,
         judge: Judge,
+        live: Live,
         stop: StopSignal,
     ): GradingQueue {
         val clock = InstantSource.system()
         val steady = SteadyClock(clock)
         val leases = Leases(database, Reports(database), clock, steady, name)
-        val live = Live()
         val exercises = Exercises(Catalogue.builtIn().all(), KeptExercises(database)::find)
         val attempts = Attempts(database, leases, exercises, judge, live, stopping = stop::isAsked)
         val own = Worker.here(name, serves = false, judge.isolation(), work.workers)

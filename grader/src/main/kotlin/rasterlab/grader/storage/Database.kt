@@ -7,6 +7,7 @@ import io.micrometer.core.instrument.MeterRegistry
 import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.Jdbi
 import org.jdbi.v3.core.statement.StatementExceptions
+import org.postgresql.PGConnection
 import org.sqlite.SQLiteConfig
 import org.sqlite.SQLiteDataSource
 import java.nio.file.Files
@@ -24,6 +25,7 @@ import javax.sql.DataSource
  * With either engine a write is on the disk when [write] returns.
  *
  * @param folder on the disk whose room counts
+ * @param listening makes connections on which other processes are heard
  * @param named ends when the database is closed, and keeps other processes of the same name away until then
  */
 class Database private constructor(
@@ -32,6 +34,7 @@ class Database private constructor(
     private val reader: HikariDataSource,
     private val firstInWrite: String? = null,
     private val named: AutoCloseable? = null,
+    private val listening: DataSource? = null,
 ) : AutoCloseable {
     private val writes = silentAboutValues(writer)
     private val reads = silentAboutValues(reader)
@@ -44,6 +47,33 @@ class Database private constructor(
 
     /** Reads the database's own clock, which all who share it follow; null where one process has it to itself. */
     fun now(): Instant? = if (isShared) read { it.createQuery(CLOCK).mapTo(Instant::class.java).one() } else null
+
+    /** Tells all processes that share the database, this one among them. */
+    fun tell(what: String) {
+        if (!isShared) return
+        writer.connection.use { connection ->
+            connection.prepareStatement("SELECT pg_notify('$CHANNEL', ?)").use {
+                it.setString(1, what)
+                it.execute()
+            }
+        }
+    }
+
+    /**
+     * Calls [heard] with each thing that a process tells, until this thread is interrupted.
+     *
+     * @throws SQLException where the connection is lost
+     */
+    fun listen(heard: (String) -> Unit) {
+        val source = listening ?: return
+        source.connection.use { connection ->
+            connection.createStatement().use { it.execute("LISTEN $CHANNEL") }
+            val talk = connection.unwrap(PGConnection::class.java)
+            while (!Thread.currentThread().isInterrupted && connection.isValid(POSTGRES_SECONDS)) {
+                talk.getNotifications(LISTEN_MILLIS).orEmpty().forEach { heard(it.parameter) }
+            }
+        }
+    }
 
     fun <T> read(work: (Handle) -> T): T = reads.withHandle<T, Exception> { work(it) }
 
@@ -92,6 +122,9 @@ class Database private constructor(
         private const val WRITE_LOCK = 7_271_001L
         private const val SERVER_LOCK = 7_271_002L
         private const val NAME_LOCK = 7_271_003
+
+        private const val CHANNEL = "rasterlab"
+        private const val LISTEN_MILLIS = 1_000
 
         private const val TAKE_NAME =
             "SELECT pg_try_advisory_lock_shared($SERVER_LOCK), pg_try_advisory_lock($NAME_LOCK, %d)"
@@ -149,6 +182,7 @@ class Database private constructor(
                 pool("readers", source, READERS, BUSY_MILLIS, reading),
                 "SELECT pg_advisory_xact_lock($WRITE_LOCK)",
                 lock,
+                source,
             )
         }
 

@@ -8,8 +8,12 @@ import rasterlab.exercises.score.CaseReport
 
 /**
  * The present progress, for those who watch: cases judged so far, and a counter that grows whenever the queue moves. Watchers read the rest from the database, so a missed count costs nothing.
+ *
+ * @param tell passes on to other processes that the queue moved here
  */
-class Live {
+class Live(
+    private val tell: () -> Unit = {},
+) {
     private val moves = MutableStateFlow(0L)
     private val running = MutableStateFlow<Map<String, List<CaseReport>>>(emptyMap())
 
@@ -20,7 +24,13 @@ class Live {
     )
 
     /** The queue moved, which may change the place of any submission. */
-    fun announce() = moves.update { it + 1 }
+    fun announce() {
+        heard()
+        tell()
+    }
+
+    /** The queue moved in another process. */
+    fun heard() = moves.update { it + 1 }
 
     /** Concerns only those who watch this submission. */
     fun judged(
