@@ -188,7 +188,7 @@ sealed class Rejection(
         address: String,
     ) : Rejection("the exam cannot be opened from the address $address", "exam-address")
 
-    /** Another browser or program has the exam, or staff let the next one in, which has to open it. */
+    /** Says that the exam is open in another browser or program, or that staff let the next one in, which has to open it. */
     class OtherSession : Rejection("another session has this exam; staff can release it", "other-session")
 
     class UnknownRegrade(

@@ -101,7 +101,7 @@ public final class AboutText extends JEditorPane {
         }
         String formula = texts.text(key + ".formula");
         parts.put("formula", formula);
-        parts.put("decision", besides(formula, decision));
+        parts.put("decision", beyond(formula, decision));
         parts.put(LETTERS, "");
         for (String part : List.of("invariant", "cost", "failures", "source"))
             parts.put(part, texts.text(key + "." + part));
@@ -114,10 +114,10 @@ public final class AboutText extends JEditorPane {
         return parts;
     }
 
-    /** What is said of the decision variable that the formula does not say. */
-    private static String besides(String formula, String decision) {
+    /** Returns those parts of the decision that the formula does not have. */
+    private static String beyond(String formula, String decision) {
         return Arrays.stream(decision.split("; "))
-                .filter(said -> !formula.contains(said))
+                .filter(part -> !formula.contains(part))
                 .collect(Collectors.joining("; "));
     }
 
