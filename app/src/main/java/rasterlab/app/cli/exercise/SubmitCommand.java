@@ -173,7 +173,8 @@ public final class SubmitCommand implements Callable<Integer> {
             return Complaint.badInput(
                     address
                             + " takes it after the deadline with --late alone: it is graded like"
-                            + " any other attempt, costs no points and is marked as late");
+                            + " any other attempt, is marked as late and may cost points, as the"
+                            + " exercise tells");
         String said =
                 refusal.code().isEmpty()
                         ? address + " does not answer as a grading server (status " + status + ")"

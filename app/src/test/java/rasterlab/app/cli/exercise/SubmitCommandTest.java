@@ -191,7 +191,7 @@ class SubmitCommandTest {
             delimiter = '|',
             value = {
                 "401 | not-signed-in | needs | 2 | does not know the token",
-                "409 | late | the deadline was at noon | 2 | after the deadline with --late alone: it is graded like any other attempt, costs no points",
+                "409 | late | the deadline was at noon | 2 | after the deadline with --late alone: it is graded like any other attempt, is marked as late and may cost points, as the exercise tells",
                 "413 | too-large | the body may have at most 262144 bytes | 2 | at most 262144 bytes (status 413)",
                 "415 | kotlin | Kotlin is not accepted; send Java | 2 | Kotlin is not accepted; send Java (status 415)",
                 "422 | empty-source | the source is empty | 2 | the source is empty (status 422)",
