@@ -14,6 +14,7 @@ dependencies {
     implementation(libs.jackson.dataformat.csv)
     implementation(libs.jackson.dataformat.yaml)
     implementation(libs.micrometer.registry.prometheus)
+    implementation(libs.oauth2.oidc.sdk)
     implementation(libs.picocli)
     implementation(libs.ktor.server.auth)
     implementation(libs.ktor.server.cio)

@@ -16,6 +16,7 @@ import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.KeptExercises
 import rasterlab.grader.forwarding.Forwarding
+import rasterlab.grader.institution.InstitutionSettings
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.DataFolder
@@ -120,6 +121,9 @@ internal class ServeCommand(
     )
     var tlsKey: Path? = null
 
+    @Mixin
+    val institution = InstitutionOptions()
+
     @Option(
         names = ["--entries-per-minute"],
         paramLabel = "N",
@@ -151,11 +155,14 @@ internal class ServeCommand(
         requireLimits()
         work.tellOtherHeap(spec.commandLine(), words)
         val proxies = proxies()
+        val people = institution.settings(proxied = proxies.isNotEmpty())
         val encryption = encryption()
         val address = address()
         val catalogue = catalogue()
         work.refuseExamsWithoutIsolation()
-        StopSignal().use { stop -> run(catalogue, address, proxies, encryption, stop) }
+        StopSignal().use { stop ->
+            run(catalogue, address, settings(proxies, encryption != null, people), encryption, stop)
+        }
         return 0
     }
 
@@ -171,6 +178,7 @@ internal class ServeCommand(
     private fun settings(
         proxies: Set<InetAddress>,
         encrypted: Boolean,
+        institution: InstitutionSettings?,
     ) = ServerSettings(
         work.workers,
         IntakeLimits(waiting, submissionsPerMinute),
@@ -178,12 +186,13 @@ internal class ServeCommand(
         proxies = proxies,
         encrypted = encrypted,
         name = work.name ?: Leases.ONE_SERVER,
+        institution = institution,
     )
 
     private fun run(
         catalogue: Catalogue,
         address: InetSocketAddress,
-        proxies: Set<InetAddress>,
+        settings: ServerSettings,
         encryption: SSLContext?,
         stop: StopSignal,
     ) {
@@ -198,11 +207,15 @@ internal class ServeCommand(
                         Exercises(catalogue.all(), kept::find),
                         judge,
                         judge.isolation(),
-                        settings(proxies, encrypted = encryption != null),
+                        settings,
                         stopping = stop::isAsked,
                         children = judge::livingChildren,
                     ).use { server ->
-                        Listening(address, DoorLimits(proxies = proxies), encryption) { server.install(this, it) }
+                        Listening(
+                            address,
+                            DoorLimits(proxies = settings.proxies),
+                            encryption,
+                        ) { server.install(this, it) }
                             .use {
                                 serve(
                                     server,

@@ -10,6 +10,7 @@ import io.ktor.server.auth.Authentication
 import io.ktor.server.auth.authenticate
 import io.ktor.server.plugins.origin
 import io.ktor.server.plugins.ratelimit.RateLimit
+import io.ktor.server.plugins.ratelimit.RateLimitConfig
 import io.ktor.server.plugins.ratelimit.RateLimitName
 import io.ktor.server.plugins.ratelimit.rateLimit
 import io.ktor.server.plugins.statuspages.StatusPages
@@ -52,6 +53,8 @@ import rasterlab.grader.exercise.exercises
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.hints
+import rasterlab.grader.institution.InstitutionSettings
+import rasterlab.grader.institution.InstitutionSignIn
 import rasterlab.grader.limits.tell
 import rasterlab.grader.metrics.Meters
 import rasterlab.grader.problem.refuseOtherMethods
@@ -95,6 +98,7 @@ import rasterlab.grader.web.comment.CommentedSource
 import rasterlab.grader.web.comment.commentPages
 import rasterlab.grader.web.comment.questionPages
 import rasterlab.grader.web.exam.examPages
+import rasterlab.grader.web.institution.institutionPages
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
@@ -115,6 +119,7 @@ import kotlin.time.Duration.Companion.seconds
  * @param encrypted whether the server's own connections are
  * @param bodyPatience how long the body of a request may take to arrive
  * @param name which no other process has that uses the database
+ * @param institution how people sign in by it; null where they do not
  */
 data class ServerSettings(
     val workers: Int = 1,
@@ -124,6 +129,7 @@ data class ServerSettings(
     val proxies: Set<InetAddress> = emptySet(),
     val encrypted: Boolean = false,
     val name: String = Leases.ONE_SERVER,
+    val institution: InstitutionSettings? = null,
 )
 
 /**
@@ -145,6 +151,8 @@ class Server(
     children: () -> Int = { 0 },
 ) : AutoCloseable {
     val accounts = Accounts(database, clock)
+    private val institution =
+        settings.institution?.let { InstitutionSignIn(it, database, accounts, clock) }
     private val courses = Courses(database, clock)
     private val staff = Staff(database, clock)
     private val audit = Audit(database)
@@ -194,6 +202,7 @@ class Server(
     private val pageParts =
         PageParts(
             accounts,
+            institution,
             courses,
             staff,
             audit,
@@ -241,20 +250,13 @@ class Server(
         install(IgnoreTrailingSlash)
         install(StatusPages) { showProblems(ErrorPage) }
         install(Authentication) { byToken(accounts) }
-        install(RateLimit) {
-            register(ENTRY) {
-                rateLimiter(settings.entriesPerMinute, 1.minutes, clock = { steady.instant().toEpochMilli() })
-                requestKey { forwarding.clientOf(it) }
-                modifyResponse { call, state ->
-                    call.tell(state, settings.entriesPerMinute, Duration.ofMinutes(1), steady.instant().toEpochMilli())
-                }
-            }
-        }
+        install(RateLimit) { limitEntries(forwarding) }
         protect()
         guardExams(ExamGuard(accounts, sittings, submissions))
         routing {
             monitoring(database, isolation, meters)
             pages(pageParts, ENTRY)
+            rateLimit(ENTRY) { institutionPages(institution, accounts) }
             examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
             errorPages(accounts, courses, exercises, last)
             commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
@@ -289,6 +291,15 @@ class Server(
             }
         }.refuseOtherMethods()
     }
+
+    private fun RateLimitConfig.limitEntries(forwarding: Forwarding) =
+        register(ENTRY) {
+            rateLimiter(settings.entriesPerMinute, 1.minutes, clock = { steady.instant().toEpochMilli() })
+            requestKey { forwarding.clientOf(it) }
+            modifyResponse { call, state ->
+                call.tell(state, settings.entriesPerMinute, Duration.ofMinutes(1), steady.instant().toEpochMilli())
+            }
+        }
 
     /** Lets running attempts end or puts them back. */
     override fun close() {

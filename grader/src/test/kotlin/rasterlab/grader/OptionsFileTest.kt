@@ -50,8 +50,10 @@ class OptionsFileTest {
 
     private companion object {
         const val KNOWN =
-            "data, db, entries-per-minute, exam, exercises, host, name, port, proxy, submissions-per-minute, " +
-                "tls-cert, tls-key, waiting, workers"
+            "data, db, entries-per-minute, exam, exercises, host, name, oidc-claim, oidc-client-id, " +
+                "oidc-client-secret, oidc-issuer, port, proxy, public-address, sign-in-column, " +
+                "sign-in-header, sign-in-staff, submissions-per-minute, tls-cert, tls-key, waiting, " +
+                "workers"
 
         @JvmStatic
         fun mistakes(): List<Arguments> =

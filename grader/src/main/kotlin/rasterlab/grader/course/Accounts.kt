@@ -25,6 +25,9 @@ class Accounts(
     fun holder(token: String): Identity? =
         database.read { find(it, "token_hash", Secrets.hash(token)) }?.also(::noteUse)
 
+    /** Who has this id, where their access was not taken away; otherwise null. */
+    fun withId(id: String): Identity? = database.read { find(it, "id", id) }
+
     /** Who opened this session, or null if nobody did or it is over. */
     fun inSession(session: String): Identity? =
         database

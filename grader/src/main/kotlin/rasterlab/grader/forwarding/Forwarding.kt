@@ -34,10 +34,11 @@ class Forwarding(
         encrypted ||
             (isProxy(direct(call)) && call.request.headers["X-Forwarded-Proto"].equals("https", ignoreCase = true))
 
-    /** Puts both with the call, for whoever answers it. */
+    /** Puts all of it with the call, for whoever answers it. */
     fun note(call: ApplicationCall) {
         call.attributes.put(SECURE, isSecure(call))
         call.attributes.put(CLIENT, clientOf(call))
+        call.attributes.put(FROM_PROXY, isProxy(direct(call)))
     }
 
     private fun isProxy(address: String) = parse(address) in proxies
@@ -48,6 +49,9 @@ class Forwarding(
 
         /** The client's own address, with each call. */
         val CLIENT = AttributeKey<String>("rasterlab client")
+
+        /** Whether the connection is one of a proxy, with each call. */
+        val FROM_PROXY = AttributeKey<Boolean>("rasterlab from a proxy")
 
         private const val BYTE = "(25[0-5]|2[0-4][0-9]|1?[0-9]?[0-9])"
         private val IPV4 = Regex("""$BYTE(\.$BYTE){3}""")

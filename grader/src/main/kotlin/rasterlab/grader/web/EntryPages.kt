@@ -24,18 +24,22 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
+import rasterlab.grader.institution.InstitutionSignIn
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveAtMost
 import rasterlab.grader.problem.utf8
 
 private const val FORM_BYTES = 16 * 1024
 
-fun Route.welcome(accounts: Accounts) {
+fun Route.welcome(
+    accounts: Accounts,
+    institution: InstitutionSignIn?,
+) {
     get("/") {
         when (call.visitor(accounts)) {
             is Identity.StudentIdentity -> call.respondRedirect("/exercises")
             is Identity.StaffIdentity -> call.respondRedirect("/instructor")
-            null -> call.respondWelcome(problem = null)
+            null -> call.respondWelcome(institution, problem = null)
         }
     }
     post("/sign-out") {
@@ -49,6 +53,7 @@ fun Route.welcome(accounts: Accounts) {
 fun Route.entering(
     accounts: Accounts,
     courses: Courses,
+    institution: InstitutionSignIn?,
 ) {
     post("/join") {
         call.requireOwnForm()
@@ -61,7 +66,7 @@ fun Route.entering(
         call.requireOwnForm()
         val who = accounts.holder(call.receiveForm()["token"].orEmpty().trim())
         if (who == null) {
-            call.respondWelcome(problem = "bad-token")
+            call.respondWelcome(institution, problem = "bad-token")
         } else {
             call.signIn(accounts, who)
             call.respondRedirect("/")
@@ -78,7 +83,10 @@ suspend fun ApplicationCall.receiveForm(limit: Int): Parameters =
         .replace("+", "%20")
         .parseUrlEncodedParameters()
 
-private suspend fun ApplicationCall.respondWelcome(problem: String?) {
+private suspend fun ApplicationCall.respondWelcome(
+    institution: InstitutionSignIn?,
+    problem: String?,
+) {
     val texts = texts()
     val status = if (problem == null) HttpStatusCode.OK else HttpStatusCode.Unauthorized
     respondPage(texts, who = null, texts.say("entry.title"), status) {
@@ -89,6 +97,7 @@ private suspend fun ApplicationCall.respondWelcome(problem: String?) {
             }
         }
         div("columns") {
+            institution?.let { byInstitution(texts, it) }
             entry(texts, "join", "/join") {
                 field(texts.say("entry.code"), "course")
                 field(texts.say("entry.name"), "name", filling = "name")
@@ -96,6 +105,21 @@ private suspend fun ApplicationCall.respondWelcome(problem: String?) {
             entry(texts, "in", "/sign-in") {
                 field(texts.say("entry.token"), "token", InputType.password, filling = "current-password")
             }
+        }
+    }
+}
+
+private fun FlowContent.byInstitution(
+    texts: PageTexts,
+    institution: InstitutionSignIn,
+) = section("card") {
+    h2 { +texts.say("entry.institution") }
+    p { +texts.say("entry.institution.about") }
+    p("ways") {
+        a("/sign-in/institution", classes = "button") { +texts.say("entry.institution.do") }
+        institution.exit()?.let {
+            +" "
+            a(it.toString()) { +texts.say("entry.institution.out") }
         }
     }
 }

@@ -19,6 +19,7 @@ import rasterlab.grader.course.RosterImport
 import rasterlab.grader.course.Staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.hint.Hints
+import rasterlab.grader.institution.InstitutionSignIn
 import rasterlab.grader.regrade.Regrades
 import rasterlab.grader.report.Results
 import rasterlab.grader.rules.CourseClones
@@ -41,8 +42,8 @@ fun Route.pages(
     entry: RateLimitName,
 ) = with(parts) {
     staticResources("/assets", "rasterlab.grader.web.assets")
-    welcome(accounts)
-    rateLimit(entry) { entering(accounts, courses) }
+    welcome(accounts, institution)
+    rateLimit(entry) { entering(accounts, courses, institution) }
     exercisePages(accounts, rules, exercises, sheets, hints, submissions, intake, queue, closed, clock)
     choicePages(accounts, choices)
     hintPages(accounts, exercises, hints)
@@ -67,6 +68,7 @@ fun Route.pages(
  */
 class PageParts(
     val accounts: Accounts,
+    val institution: InstitutionSignIn?,
     val courses: Courses,
     val staff: Staff,
     val audit: Audit,
