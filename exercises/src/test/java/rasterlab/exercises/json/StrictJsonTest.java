@@ -93,7 +93,8 @@ class StrictJsonTest {
                 argumentSet(
                         "an inner object lacks a field",
                         good + "\"items\":[{\"count\":1}]",
-                        "/items/0/points: missing"),
+                        "/items/0/points: missing; expected an array of 1 to 3 points of 2 numbers"
+                                + " each"),
                 argumentSet(
                         "an inner object has an unknown field",
                         good + "\"items\":[{\"size\":1}]",
