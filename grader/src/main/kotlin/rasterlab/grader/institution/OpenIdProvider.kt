@@ -67,6 +67,7 @@ internal class OpenIdProvider(
         val until: Instant,
     )
 
+    @Volatile
     private var known: Known? = null
     private val client = ClientID(settings.clientId)
 
@@ -82,7 +83,6 @@ internal class OpenIdProvider(
             .toURI()
 
     /** Where people sign out, once the provider has told it; null where it has not. */
-    @Synchronized
     fun exit(): URI? = known?.metadata?.endSessionEndpointURI
 
     /**

@@ -158,6 +158,7 @@ class InstitutionSignInTest {
                     "https://evil.example",
                     "/a%0d%0aX: y",
                     "/a;url=//evil",
+                    "/sign-in/institution",
                 )) {
                     val begun = begin("?to=$to")
                     assertEquals("0; url=/", back(follow(begun), begun.key).headers["Refresh"], to)

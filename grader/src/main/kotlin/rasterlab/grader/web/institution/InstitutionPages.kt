@@ -86,8 +86,9 @@ fun Route.institutionPages(
     post("$INSTITUTION/account") { choice(call) }
 }
 
-/** The path of a page of ours; the start page for anything else, which could lead away. */
-internal fun ownPage(asked: String?): String = asked?.takeIf { OWN_PAGE.matches(it) } ?: "/"
+/** The path of a page of ours; the start page for anything else, which could lead away or in a circle. */
+internal fun ownPage(asked: String?): String =
+    asked?.takeIf { OWN_PAGE.matches(it) && !it.startsWith(INSTITUTION) } ?: "/"
 
 private val OWN_PAGE = Regex("(/[A-Za-z0-9._~-]+)+")
 
