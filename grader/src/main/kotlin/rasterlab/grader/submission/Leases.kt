@@ -185,12 +185,16 @@ class Leases(
         }
     }
 
-    /** Puts back what an earlier process of this name held when it ended: for one that starts and shares its database. */
+    /**
+     * Puts back what an earlier process of this name held when it ended, for one that starts and shares its database.
+     * Speeds that nobody measures are due now: the clock may have been set since.
+     */
     fun releaseHeld() {
         regrades.releaseHeld()
         database.write {
             Lease.releaseHeld(it, "$RELEASE WHERE state = 'running'", holder)
             Lease.releaseHeld(it, "$MEASURED WHERE state = 'done'", holder)
+            it.execute("UPDATE submissions SET speed_due = NULL WHERE speeds_left > 0 AND lease IS NULL")
         }
     }
 
