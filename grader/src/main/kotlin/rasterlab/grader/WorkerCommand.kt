@@ -71,7 +71,7 @@ internal class WorkerCommand(
         work.readConfig(spec.commandLine())
         work.requireAllowed()
         val isShared = db?.let { PostgresAddress.of(it) } != null
-        if (!isShared) throw CannotStart(StartFailure.WORKER_DATABASE, db.orEmpty())
+        if (!isShared) throw CannotStart(StartFailure.WORKER_DATABASE, listOfNotNull("--db", db).joinToString(" "))
         work.tellOtherHeap(spec.commandLine(), words)
         work.refuseExamsWithoutIsolation()
         StopSignal().use { run(work.name ?: HostName.own(), it) }
