@@ -4,6 +4,7 @@ import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
@@ -161,6 +162,25 @@ open class ExamTest {
             pass(Duration.ofMinutes(24))
             assertEquals("660", draft(exam, ada, "class Dot {}", "quiet" to "yes").bodyAsText())
             assertEquals("60", draft(exam, eve, "class Dot {}", "quiet" to "yes").bodyAsText())
+        }
+
+    @Test
+    @DisplayName("minutes given after the end are of no use, or open an exam whose new end has passed")
+    fun goesOnWithMoreMinutes() =
+        classroom().open(grades = false) {
+            val course = newCourse()
+            val ada = cookieOf(newStudent(course))
+            val exam = exam(course)
+            val extra = "/instructor/exams/$exam/students/${one("SELECT id FROM students")}/extra"
+            pass(Duration.ofMinutes(61))
+            open(exam, ada)
+            pass(Duration.ofMinutes(35))
+            list(ada)
+            send(extra, cookieOf(instructor), "extra" to "4")
+            assertEquals("1", one("SELECT count(*) FROM exam_sittings WHERE ended_at IS NOT NULL"))
+            assertNotEquals(302, draft(exam, ada, "class Dot {}").status.value)
+            send(extra, cookieOf(instructor), "extra" to "10")
+            assertEquals(302, draft(exam, ada, "class Dot {}").status.value)
         }
 
     @Test
