@@ -76,7 +76,7 @@ public final class MidpointCircle implements SteppedCircle {
         @Override
         public boolean advance() {
             if (u >= v) return false;
-            boolean hasPixel = u >= 0;
+            boolean hasPixel = u >= 0; // not before the first call
             if (hasPixel && d >= 0) { // M is outside: the row below is nearer
                 v--;
                 downStep -= 2;

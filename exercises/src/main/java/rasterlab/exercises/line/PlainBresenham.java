@@ -9,7 +9,7 @@ import rasterlab.contract.Pixels;
  * and compiles to something else.
  *
  * <p>With n and b the extents along the longer and the shorter axis and t = 1 where the shorter
- * axis's coordinate grows, else 0: {@code d = 2·(i + 1)·b − (2·j + 1)·n − t} after i steps along
+ * axis's coordinate does not fall, else 0: {@code d = 2·(i + 1)·b − (2·j + 1)·n − t} after i steps along
  * and j across; step across when d ≥ 0. A long holds d: |d| ≤ 2·n &lt; 2³⁴.
  *
  * <p>Source: J. E. Bresenham, Algorithm for computer control of a digital plotter, IBM Systems

@@ -38,8 +38,8 @@ import rasterlab.engine.study.Topic;
             "Compares all methods of a topic: cost per item (time and, where possible, operations) and error.",
             "Prints a table, all its columns with --wide; --out writes a chart (.svg, .png)",
             "or the numbers (.csv, .json; every round is in the last).",
-            "Methods take turns until they are told apart or the time is used up; what is not told",
-            "apart is said, and about how many rounds would settle it. Ctrl-C keeps what was measured."
+            "Methods take turns until they can be told apart or time runs out; then it says which",
+            "cannot be told apart, and how many rounds would settle it. Ctrl-C keeps what was measured."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -114,7 +114,7 @@ public final class StudyCommand implements Callable<Integer> {
             names = "--cost",
             paramLabel = "time|operations",
             description =
-                    "what the chart and the order go by; operations are counted, free of noise")
+                    "what the chart shows and rows are sorted by; operations are counted, free of noise")
     private String cost = TIME;
 
     @Option(

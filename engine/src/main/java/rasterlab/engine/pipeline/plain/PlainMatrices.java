@@ -34,6 +34,8 @@ final class PlainMatrices {
         double far = Math.min(view.far(), range.getMax() + room);
         double deep = far - near;
         PictureFit fit = view.fit();
+        // The eye's axis in ndc: the centre of its pixel, by the inverse of what makes pixels of
+        // ndc.
         double middleX = (2 * fit.toPixelX(0) + 1) / fit.width() - 1;
         double middleY = 1 - (2 * fit.toPixelY(0) + 1) / fit.height();
         double zoom = 2 * fit.pixelsPerUnit();

@@ -16,7 +16,7 @@ final class DepthList {
         return sorted.size();
     }
 
-    /** Puts one in its place, before those of the same depth. */
+    /** Inserts a polygon before those of the same depth. */
     void add(FacetExtent extent) {
         sorted.add(placeOf(extent.mostZ()), extent);
     }
