@@ -41,10 +41,9 @@ class EncryptedPassageTest {
                 val client = Socket().apply { receiveBufferSize = LITTLE }
                 val ends = Ends(made, selector, accepted(client), engine.localSocketAddress)
                 val mayRead = CountDownLatch(1)
-                val read =
-                    CompletableFuture
-                        .supplyAsync { read(client, made, mayRead) }
-                        .whenComplete { _, _ -> selector.wakeup() }
+                val read = CompletableFuture.supplyAsync { read(client, made, mayRead) }
+                // Of what this returns, isDone is true only after the wakeup, too late for the loops below.
+                read.whenComplete { _, _ -> selector.wakeup() }
                 while (!ends.engineHasEnded() && !read.isDone) ends.turn()
                 assertTrue(ends.line.isUnsent, "this tests nothing: the network took the whole answer at once")
                 mayRead.countDown()
