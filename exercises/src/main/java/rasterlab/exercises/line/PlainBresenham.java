@@ -9,8 +9,8 @@ import rasterlab.contract.Pixels;
  * and compiles to something else.
  *
  * <p>With n and b the extents along the longer and the shorter axis and t = 1 where the shorter
- * axis's coordinate does not fall, else 0: {@code d = 2·(i + 1)·b − (2·j + 1)·n − t} after i steps along
- * and j across; step across when d ≥ 0. A long holds d: |d| ≤ 2·n &lt; 2³⁴.
+ * axis's coordinate does not fall, else 0: {@code d = 2·(i + 1)·b − (2·j + 1)·n − t} after i steps
+ * along and j across; step across when d ≥ 0. A long holds d: |d| ≤ 2·n &lt; 2³⁴.
  *
  * <p>Source: J. E. Bresenham, Algorithm for computer control of a digital plotter, IBM Systems
  * Journal 4(1), 1965, pp. 25–30.
