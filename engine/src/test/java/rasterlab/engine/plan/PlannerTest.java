@@ -298,7 +298,7 @@ class PlannerTest {
         };
     }
 
-    private static Scene with(Scene scene, SceneLight light, Optional<ExactSurfaces> surfaces) {
+    static Scene with(Scene scene, SceneLight light, Optional<ExactSurfaces> surfaces) {
         return new Scene(
                 scene.name(),
                 scene.mesh(),

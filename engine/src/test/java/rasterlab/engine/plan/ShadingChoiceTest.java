@@ -88,16 +88,7 @@ class ShadingChoiceTest {
     }
 
     private static Scene lit(Scene scene, SceneLight light) {
-        return new Scene(
-                scene.name(),
-                scene.mesh(),
-                scene.finishes(),
-                scene.finishOf(),
-                light,
-                scene.backgroundRgb(),
-                scene.defaultCamera(),
-                scene.pictureScale(),
-                scene.surfaces());
+        return PlannerTest.with(scene, light, scene.surfaces());
     }
 
     private static SphericalView camera(Scene scene, Random random) {
