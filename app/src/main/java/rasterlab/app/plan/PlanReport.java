@@ -4,7 +4,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
-import java.util.Map;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.plan.Combination;
@@ -89,6 +88,8 @@ public record PlanReport(PlanTrial trial, PlanPath path, String costs, List<Comb
         json.writeNumberField("pixels", plan.predictedPixels());
         json.writeNumberField("milliseconds", plan.cost().milliseconds());
         json.writeNumberField("fullMilliseconds", plan.fullCost().milliseconds());
+        CountedWork.writeWork(json, "work", plan.cost().work());
+        CountedWork.writeWork(json, "fullWork", plan.fullCost().work());
         json.writeEndObject();
     }
 
@@ -121,16 +122,8 @@ public record PlanReport(PlanTrial trial, PlanPath path, String costs, List<Comb
         json.writeNumberField("levels", levels);
         json.writeNumberField("milliseconds", least.milliseconds());
         json.writeNumberField("fullMilliseconds", full.milliseconds());
-        writeWork(json, "work", least);
-        writeWork(json, "fullWork", full);
-        json.writeEndObject();
-    }
-
-    private static void writeWork(JsonGenerator json, String name, Plan.PlanCost cost)
-            throws IOException {
-        json.writeObjectFieldStart(name);
-        for (Map.Entry<String, Long> stage : cost.work().stages().entrySet())
-            json.writeNumberField(stage.getKey(), stage.getValue());
+        CountedWork.writeWork(json, "work", least.work());
+        CountedWork.writeWork(json, "fullWork", full.work());
         json.writeEndObject();
     }
 

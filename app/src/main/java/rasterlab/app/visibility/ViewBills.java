@@ -5,6 +5,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.plan.bill.Bills;
 import rasterlab.app.plan.bill.PictureBill;
+import rasterlab.app.plan.bill.PictureBill.BilledPicture;
 import rasterlab.app.plan.least.MagnifiedDifference;
 import rasterlab.app.plan.least.PlanBill;
 import rasterlab.app.plan.least.PlannedPicture;
@@ -13,7 +14,7 @@ import rasterlab.engine.plan.Plan;
 
 /** All that is counted and measured of the pictures when nothing moves. */
 final class ViewBills implements AutoCloseable {
-    private final Bills<RenderRequest, PictureBill> counted;
+    private final Bills<BilledPicture, PictureBill> counted;
     private final Bills<PlannedPicture, PlanBill> planned;
 
     /**
@@ -31,8 +32,8 @@ final class ViewBills implements AutoCloseable {
                                 .ifPresent(bill -> refuted.accept(bill.trial().plan())));
     }
 
-    /** The counted work of the picture by the chosen method. */
-    Bills<RenderRequest, PictureBill> counted() {
+    /** The counted work of the picture that is shown. */
+    Bills<BilledPicture, PictureBill> counted() {
         return counted;
     }
 
@@ -41,15 +42,27 @@ final class ViewBills implements AutoCloseable {
         return planned;
     }
 
-    /** Asks for the bills of a picture. */
+    /**
+     * Asks for the bills of a picture.
+     *
+     * @param request by the chosen method; what a plan draws instead, once it is there, counts more
+     */
     void ask(RenderRequest request, VisibilityLabState state) {
-        counted.ask(request);
+        if (state.least().isEmpty()) counted.ask(new BilledPicture(request, Optional.empty()));
         measure(state);
     }
 
-    /** Asks for the bill of the least picture, where the present choice has one. */
+    /** Asks for the bills of the least picture, where the present choice has one. */
     void measure(VisibilityLabState state) {
-        state.least().ifPresent(planned::ask);
+        state.least()
+                .ifPresent(
+                        picture -> {
+                            Plan plan = picture.plan();
+                            counted.ask(
+                                    new BilledPicture(
+                                            plan.from(picture.camera()), Optional.of(plan)));
+                            planned.ask(picture);
+                        });
     }
 
     /** Drops what is being counted: another picture is shown. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
@@ -17,10 +18,13 @@ import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.plan.bill.BillTable;
 import rasterlab.app.plan.bill.PictureBill;
+import rasterlab.app.plan.least.PlanWish;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.plan.Plan;
 import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.WorkCount;
+import rasterlab.engine.plan.WorkEstimate;
 
 @Timeout(120)
 class WorkBillTest {
@@ -91,7 +95,37 @@ class WorkBillTest {
         RenderRequest request = shown("zfloat");
         assertThrows(
                 CancellationException.class,
-                () -> PictureBill.of(request, new Planner(), () -> true));
+                () ->
+                        PictureBill.of(
+                                new PictureBill.BilledPicture(request, Optional.empty()),
+                                new Planner(),
+                                () -> true));
+    }
+
+    @Test
+    @DisplayName("while the least picture is shown, another one's work is told, or another plan")
+    void workIsOfTheLeastPictureThatIsShown() {
+        shown("zfloat");
+        model.choose(choice -> choice.withScene("torus").with(new PlanWish(true, 1, 8, false)));
+        thread.settle(model::settle);
+        // The least picture's bill is asked for once it is drawn.
+        thread.settle(model::settle);
+        Plan plan = model.state().least().orElseThrow().plan();
+        assertTrue(plan.saves(), "nothing is left out of the torus");
+        assertEquals(WorkCount.of(plan.least(), () -> false), bill().counted().work());
+        assertEquals(plan, bill().plan());
+        assertEquals(plan.cost().work(), bill().counted().estimate());
+    }
+
+    @Test
+    @DisplayName("what was predicted of the shown picture is left out, or another's")
+    void predictionStandsBesideTheCount() {
+        RenderRequest request = shown("zfloat");
+        assertEquals(WorkEstimate.of(request), bill().counted().estimate());
+        for (PictureBill.BillRow row : bill().rows())
+            assertEquals(
+                    Optional.ofNullable(WorkEstimate.of(request).stages().get(row.stage())),
+                    row.estimated());
     }
 
     @Test
@@ -115,7 +149,7 @@ class WorkBillTest {
             assertEquals(bill().rows().size(), last);
             boolean english = language == Language.ENGLISH;
             assertEquals(english ? "all" : "всего", table.getValueAt(last, 0));
-            assertEquals(english ? "100 %" : "100\u00a0%", table.getValueAt(last, 3));
+            assertEquals(english ? "100 %" : "100\u00a0%", table.getValueAt(last, 4));
             assertEquals(english ? "pixels cleared" : "очищенные пиксели", cell(table, -1, 0));
             assertEquals(english ? "2,700" : "2\u00a0700", cell(table, -1, 1));
         }

@@ -7,14 +7,10 @@ import java.util.Map;
 import java.util.function.Consumer;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
-import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
-import rasterlab.engine.sight.LightWork;
-import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.sight.cost.Family;
-import rasterlab.engine.sight.cost.PictureWork;
 import rasterlab.engine.visibility.painter.ConvexBody;
 
 /**
@@ -110,32 +106,9 @@ public final class CostStudy {
     }
 
     private static Map<String, Double> work(RenderRequest request) {
-        RequestView seen = RequestView.of(request, request.width());
-        var areas = new ScreenAreas(seen.viewed());
-        boolean phong = request.look().shading() == ShadingMethod.PHONG;
-        var atPixels = new boolean[areas.faces()];
-        for (int f = 0; f < atPixels.length; f++) atPixels[f] = phong;
-        boolean textured =
-                request.scene().finishes().stream().anyMatch(f -> f.texture().isPresent());
-        var light =
-                new LightWork(
-                        request.look().shading() == ShadingMethod.GOURAUD,
-                        atPixels,
-                        textured ? 8 : 0,
-                        false);
-        long faces = areas.faces();
-        long pairs =
-                switch (request.visibility()) {
-                    case "convex" -> 4 * faces * faces;
-                    case "painter" -> faces;
-                    default -> 0;
-                };
-        boolean paintsAll = Family.of(request.visibility()) == Family.PAINTER;
-        PictureWork work =
-                light.estimate(areas, request.visibility().equals("convex"), paintsAll, pairs);
         var parts = new LinkedHashMap<String, Double>();
         parts.put("frame", 1.0);
-        work.stages().forEach((stage, n) -> parts.put(stage, n.doubleValue()));
+        WorkEstimate.of(request).stages().forEach((stage, n) -> parts.put(stage, n.doubleValue()));
         return parts;
     }
 

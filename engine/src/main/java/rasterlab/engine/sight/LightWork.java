@@ -13,7 +13,7 @@ import rasterlab.engine.sight.cost.PictureWork;
  */
 public record LightWork(boolean perCorner, boolean[] atPixels, int texelReads, boolean mixed) {
     /** The formulas that the bound for one face is worth, with a second pass over its vertices. */
-    private static final int BOUND = 14;
+    public static final int BOUND = 14;
 
     /** The share of hidden faces that are drawn, and lit, before what hides them. */
     private static final double BEFORE = 0.5;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.DisplayName;
@@ -11,8 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.sight.LightWork;
 import rasterlab.engine.sight.cost.PictureWork;
 
 class WorkCountTest {
@@ -54,5 +57,46 @@ class WorkCountTest {
         PictureWork work = WorkCount.of(request, () -> asked.incrementAndGet() == 0);
         assertTrue(work.fragments() < work.faces() / 2, "the torus is too large: " + work);
         assertTrue(asked.get() >= work.faces(), asked + " times, " + work);
+    }
+
+    @Test
+    @DisplayName("the bound that tells where light may be mixed is free")
+    void boundsOfMixedLightAreCounted() {
+        Scene torus = Scenes.named("torus");
+        var phong =
+                new RenderRequest(
+                        torus, "pipeline", "phong", "perspective", torus.defaultCamera(), 160, 120);
+        RenderRequest mixed = phong.with(phong.look().withSavings(new Savings(8, false)));
+        PictureWork all = WorkCount.of(phong, () -> false);
+        PictureWork some = WorkCount.of(mixed, () -> false);
+        assertTrue(some.pixelLights() < all.pixelLights(), some + " of " + all);
+        assertTrue(some.lights() > LightWork.BOUND * some.faces(), some.toString());
+        assertEquals(WorkEstimate.of(mixed).lights(), some.lights());
+    }
+
+    @ParameterizedTest(name = "the work of the {0} is predicted far from what is counted")
+    @ValueSource(strings = {"cube", "torus", "vase", "house", "globe"})
+    void predictionIsNearTheCount(String name) {
+        Scene scene = Scenes.named(name);
+        for (String method : List.of("pipeline", "zfloat", "painter")) {
+            var request =
+                    new RenderRequest(
+                            scene, method, "phong", "perspective", scene.defaultCamera(), 160, 120);
+            PictureWork counted = WorkCount.of(request, () -> false);
+            PictureWork predicted = WorkEstimate.of(request);
+            assertEquals(counted.vertices(), predicted.vertices());
+            assertEquals(counted.faces(), predicted.faces());
+            assertEquals(counted.pixels(), predicted.pixels());
+            assertEquals(counted.lights(), predicted.lights());
+            String both = method + ": " + counted + " and " + predicted;
+            assertEquals(counted.fragments(), predicted.fragments(), 0.02 * counted.fragments());
+            within(2, counted.pixelLights(), predicted.pixelLights(), both);
+            within(2, counted.texels(), predicted.texels(), both);
+        }
+    }
+
+    /** The order decides what is lit before nearer faces hide it; it is not predicted. */
+    private static void within(double factor, long counted, long predicted, String both) {
+        assertTrue(predicted <= factor * counted && counted <= factor * predicted, both);
     }
 }

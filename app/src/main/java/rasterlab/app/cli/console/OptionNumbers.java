@@ -9,11 +9,20 @@ public final class OptionNumbers {
 
     /** Decimal, also with an exponent; Infinity too, where an option allows it. */
     public static Double number(String text) {
+        return number(text, "such as 2, 0.5 or 1e-3");
+    }
+
+    /**
+     * The number that is typed.
+     *
+     * @param expected which numbers there are, told of what is none
+     */
+    public static Double number(String text, String expected) {
         try {
             return Double.valueOf(text.strip());
         } catch (NumberFormatException e) {
             throw new TypeConversionException(
-                    "'" + text + "' is not a number; expected one such as 2, 0.5 or 1e-3");
+                    "'" + text + "' is not a number; expected one " + expected);
         }
     }
 

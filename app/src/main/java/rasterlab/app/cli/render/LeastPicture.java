@@ -21,7 +21,8 @@ final class LeastPicture {
             paramLabel = "PX",
             description =
                     "draws the least model that is enough, as ./lab plan finds it: nothing is farther out"
-                            + " of place than this, in pixels, above 0 to 64")
+                            + " of place than this, in pixels, above 0 to 64",
+            converter = ToleranceOption.PixelsReader.class)
     private Double pixels;
 
     @Option(
@@ -30,7 +31,8 @@ final class LeastPicture {
             description =
                     "with --tolerance: how far a channel may be off, in levels of 0 to 255; 2 unless"
                             + " given; without it: --shading auto takes the cheapest of flat, gouraud"
-                            + " and phong that is proved to be within L levels of phong")
+                            + " and phong that is proved to be within L levels of phong",
+            converter = ToleranceOption.LevelsReader.class)
     private Double levels;
 
     /**
@@ -41,8 +43,8 @@ final class LeastPicture {
     Optional<Plan> plan(RenderRequest asked) {
         if (pixels == null) return Optional.empty();
         requireFaces(asked);
+        Tolerance tolerance = ToleranceOption.of(pixels, levels == null ? USUAL_LEVELS : levels, 0);
         try {
-            var tolerance = new Tolerance(pixels, levels == null ? USUAL_LEVELS : levels, 0);
             return Optional.of(new Planner().plan(asked, tolerance));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());

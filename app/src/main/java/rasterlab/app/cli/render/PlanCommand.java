@@ -70,7 +70,8 @@ public final class PlanCommand implements Callable<Integer> {
             description =
                     "how far things may be out of place, in pixels, above 0 to 64; default:"
                             + " ${DEFAULT-VALUE}",
-            defaultValue = "0.5")
+            defaultValue = "0.5",
+            converter = ToleranceOption.PixelsReader.class)
     private double pixels;
 
     @Option(
@@ -79,7 +80,8 @@ public final class PlanCommand implements Callable<Integer> {
             description =
                     "how far a channel may be off, in levels of 0 to 255; default:"
                             + " ${DEFAULT-VALUE}",
-            defaultValue = "2")
+            defaultValue = "2",
+            converter = ToleranceOption.LevelsReader.class)
     private double levels;
 
     @Option(
@@ -88,7 +90,8 @@ public final class PlanCommand implements Callable<Integer> {
             description =
                     "the share of the pixels that may be off by more, 0 to 1; default:"
                             + " ${DEFAULT-VALUE}",
-            defaultValue = "0")
+            defaultValue = "0",
+            converter = ToleranceOption.ShareReader.class)
     private double share;
 
     @Option(
@@ -132,7 +135,7 @@ public final class PlanCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         RenderRequest request = request();
-        Tolerance tolerance = tolerance();
+        Tolerance tolerance = ToleranceOption.of(pixels, levels, share);
         requirePng();
         if (measured != null) WholeFile.requireWritable(measured);
         RenderMemory.require(request, 6);
@@ -152,14 +155,6 @@ public final class PlanCommand implements Callable<Integer> {
                 report.write(generator);
             }
         return ExitCode.DONE;
-    }
-
-    private Tolerance tolerance() {
-        try {
-            return new Tolerance(pixels, levels, share);
-        } catch (IllegalArgumentException e) {
-            throw Complaint.badInput(e.getMessage());
-        }
     }
 
     private void requirePng() {

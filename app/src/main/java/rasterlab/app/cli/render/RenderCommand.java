@@ -41,7 +41,10 @@ import rasterlab.exercises.scene.SceneSetting;
         mixinStandardHelpOptions = true,
         description = {
             "Renders a scene and prints what was rendered as JSON.",
-            "--out writes the picture, --diff compares it with another one; give at least one."
+            "--out writes the picture, --diff compares it with another one; give at least one.",
+            "The answer counts the work of each stage; beside it stand what the count costs, as predicted by"
+                    + " measured prices, and what the planner predicts before it draws: in number,"
+                    + " milliseconds and share."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -187,7 +190,7 @@ public final class RenderCommand implements Callable<Integer> {
         if (out != null) WholeFile.write(out, PngFile.bytes(picture.image()));
         Optional<ShadingErrors> shadings =
                 errors ? Optional.of(ShadingErrors.of(request, progress)) : Optional.empty();
-        Optional<CountedWork> counted = CountedWork.of(request, progress);
+        Optional<CountedWork> counted = CountedWork.of(request, plan, progress);
         Optional<StageTimes> times =
                 stages
                         ? Optional.of(StageTimes.of(request, STAGES_BUDGET, progress))
@@ -253,7 +256,7 @@ public final class RenderCommand implements Callable<Integer> {
         double most = SceneSetting.MOST_ZOOM;
         if (!(zoom >= 1 / most && zoom <= most))
             throw new IllegalArgumentException(
-                    "zoom must be from %s to %s, got %s".formatted(1 / most, most, zoom));
+                    "--zoom must be from %s to %s, got %s".formatted(1 / most, most, zoom));
     }
 
     private DrawnDepths depths(ShownScene opened, Projection chosen, double rho) {

@@ -1,5 +1,6 @@
 package rasterlab.app.plan.bill;
 
+import com.formdev.flatlaf.ui.FlatEmptyBorder;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -10,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
+import javax.swing.border.Border;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.JTableHeader;
@@ -18,17 +20,17 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.plan.CostOrigin;
-import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.plan.Tolerance;
 
 /** The bill of a picture: a row for each stage, and one for all of them. */
 public final class BillTable extends JTable {
     private static final long serialVersionUID = 1L;
 
     private static final List<String> COLUMNS =
-            List.of("stage", "counted", "milliseconds", "share", "plan");
+            List.of("stage", "counted", "estimated", "milliseconds", "share", "plan");
     private static final int NARROW = 100;
     private static final int LONG = 1_000_000;
-    private static final int[] WIDTHS = {84, 70, 46, 56, 70};
+    private static final int[] WIDTHS = {72, 60, 64, 38, 44, 60};
 
     private final transient Texts texts;
     private transient Optional<PictureBill> bill = Optional.empty();
@@ -61,7 +63,7 @@ public final class BillTable extends JTable {
     }
 
     /** Shows a bill, pale while it is of an earlier picture. */
-    public void show(Bills<RenderRequest, PictureBill> bills) {
+    public void show(Bills<PictureBill.BilledPicture, PictureBill> bills) {
         setEnabled(bills.current());
         if (!bill.equals(bills.bill())) {
             bill = bills.bill();
@@ -80,8 +82,9 @@ public final class BillTable extends JTable {
         return switch (column) {
             case 0 -> texts.text("stage." + row.stage());
             case 1 -> brief(row.counted());
-            case 2 -> row.measured().map(this::time).orElse("–");
-            case 3 -> row.measured().isPresent() ? percent(row.share()) : "–";
+            case 2 -> brief(row.estimated());
+            case 3 -> row.measured().map(this::time).orElse("–");
+            case 4 -> row.measured().isPresent() ? percent(row.share()) : "–";
             default -> brief(row.planned());
         };
     }
@@ -90,9 +93,9 @@ public final class BillTable extends JTable {
         PictureBill all = bill.orElseThrow();
         return switch (column) {
             case 0 -> texts.text("table.all");
-            case 2 -> time(all.times().total());
-            case 3 -> percent(1);
-            case 4 -> texts.text("table.time", time(all.plan().cost().milliseconds()));
+            case 3 -> time(all.times().total());
+            case 4 -> percent(1);
+            case 5 -> texts.text("table.time", time(all.plan().cost().milliseconds()));
             default -> "";
         };
     }
@@ -125,17 +128,22 @@ public final class BillTable extends JTable {
     /** Says what a column means; of the first one, the stage's whole name. */
     private String hint(int row, int column) {
         if (column == 0) return text(row, 0);
-        if (row < rows.size() && (column == 1 || column == 4))
-            return count(column == 1 ? rows.get(row).counted() : rows.get(row).planned())
-                    + ": "
-                    + meaning(column);
-        return column == 2 ? measured(row) : meaning(column);
+        if (column == 3) return measured(row);
+        if (row == rows.size() || column == 4) return meaning(column);
+        PictureBill.BillRow stage = rows.get(row);
+        Optional<Long> number =
+                switch (column) {
+                    case 1 -> stage.counted();
+                    case 2 -> stage.estimated();
+                    default -> stage.planned();
+                };
+        return count(number) + ": " + meaning(column);
     }
 
     private String meaning(int column) {
         return texts.text(
                 "table." + COLUMNS.get(column) + ".hint",
-                COLUMNS.get(column).equals("plan") ? usual() : rounds());
+                COLUMNS.get(column).equals("plan") ? within() : rounds());
     }
 
     /** How the time of a stage, or of all, was measured, and what its count predicts. */
@@ -153,11 +161,12 @@ public final class BillTable extends JTable {
         return Integer.toString(bill.map(found -> found.times().rounds()).orElse(0));
     }
 
-    private String usual() {
+    private String within() {
+        Tolerance within = bill.map(found -> found.plan().tolerance()).orElse(PictureBill.USUAL);
         return texts.text(
                 "table.within",
-                Shown.number(PictureBill.USUAL.pixels(), texts.locale()),
-                Shown.number(PictureBill.USUAL.levels(), texts.locale()));
+                Shown.number(within.pixels(), texts.locale()),
+                Shown.number(within.levels(), texts.locale()));
     }
 
     /** The columns' names, no wider than the table. */
@@ -200,6 +209,7 @@ public final class BillTable extends JTable {
 
     private final class Cells extends DefaultTableCellRenderer {
         private static final long serialVersionUID = 1L;
+        private static final Border NARROW_MARGINS = new FlatEmptyBorder(0, 2, 0, 2);
 
         @Override
         public Component getTableCellRendererComponent(
@@ -207,6 +217,7 @@ public final class BillTable extends JTable {
             super.getTableCellRendererComponent(table, value, on, focused, row, column);
             setHorizontalAlignment(column == 0 ? LEADING : TRAILING);
             setToolTipText(hint(row, column));
+            setBorder(NARROW_MARGINS);
             setEnabled(table.isEnabled());
             if (row == rows.size() && column == 0) setFont(getFont().deriveFont(Font.BOLD));
             return this;

@@ -17,12 +17,12 @@ import rasterlab.engine.plan.Tolerance;
 import rasterlab.engine.range.Bounds;
 
 /**
- * The work that was counted for a picture and the time that was measured, beside the work of the
- * least picture that is enough.
+ * The work that was counted for a picture and the time that was measured, beside what was predicted
+ * for it and the work of the least picture that is enough.
  *
- * @param counted stage by stage
+ * @param counted stage by stage, beside its prediction
  * @param times measured stage by stage
- * @param plan the least picture of the same view
+ * @param plan by which the picture is drawn, or else the least picture of the same view
  */
 public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
     /** The tolerance that {@code ./lab plan} has unless it is told another. */
@@ -32,10 +32,19 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
     private static final double BUDGET = 100;
 
     /**
+     * A picture that is shown.
+     *
+     * @param request what is drawn
+     * @param plan by which, if by one
+     */
+    public record BilledPicture(RenderRequest request, Optional<Plan> plan) {}
+
+    /**
      * A stage of drawing.
      *
      * @param stage its key
      * @param counted how often; empty for what is done once whatever is drawn
+     * @param estimated how often, by the prediction
      * @param measured milliseconds of processor time; empty where another stage's time has it
      * @param share of the picture's measured time, 0 to 1
      * @param predicted milliseconds of processor time by the prices of the count
@@ -44,6 +53,7 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
     public record BillRow(
             String stage,
             Optional<Long> counted,
+            Optional<Long> estimated,
             Optional<Double> measured,
             double share,
             double predicted,
@@ -55,7 +65,7 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
         private boolean isEmpty() {
             return predicted == 0
                     && measured.orElse(0.0) == 0
-                    && counted.orElse(0L) + planned.orElse(0L) == 0;
+                    && counted.orElse(0L) + estimated.orElse(0L) + planned.orElse(0L) == 0;
         }
     }
 
@@ -65,30 +75,33 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
      * @param events runs what it is given on the one thread that uses them, in order
      * @param onFailure told what counting threw, on any thread
      */
-    public static Bills<RenderRequest, PictureBill> bills(
+    public static Bills<BilledPicture, PictureBill> bills(
             Executor events, Consumer<Throwable> onFailure) {
         var planner = new Planner();
         return new Bills<>(
-                "bill", (request, cancelled) -> of(request, planner, cancelled), events, onFailure);
+                "bill", (picture, cancelled) -> of(picture, planner, cancelled), events, onFailure);
     }
 
     /**
-     * Counts and times a picture and plans its view; empty where the method has no prices, or
-     * refuses.
+     * Counts and times a picture and plans its view, unless a plan draws it; empty where the method
+     * has no prices, or refuses.
      *
      * @param cancelled asked often while it counts
      * @throws CancellationException soon after {@code cancelled} says true
      */
     public static Optional<PictureBill> of(
-            RenderRequest request, Planner planner, BooleanSupplier cancelled) {
+            BilledPicture picture, Planner planner, BooleanSupplier cancelled) {
+        RenderRequest request = picture.request();
         try {
-            return CountedWork.of(request, cancelled)
+            return CountedWork.of(request, picture.plan(), cancelled)
                     .map(
                             work ->
                                     new PictureBill(
                                             work,
                                             StageTimes.of(request, BUDGET, cancelled),
-                                            planner.plan(request, USUAL)));
+                                            picture.plan()
+                                                    .orElseGet(
+                                                            () -> planner.plan(request, USUAL))));
         } catch (IllegalArgumentException refused) {
             return Optional.empty();
         }
@@ -97,6 +110,7 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
     /** The stages that anything happens in, in the order in which a picture is made. */
     public List<BillRow> rows() {
         Map<String, Long> here = counted.work().stages();
+        Map<String, Long> before = counted.estimate().stages();
         Map<String, Long> least = plan.cost().work().stages();
         var rows = new ArrayList<BillRow>();
         counted.milliseconds()
@@ -106,6 +120,7 @@ public record PictureBill(CountedWork counted, StageTimes times, Plan plan) {
                                         new BillRow(
                                                 stage,
                                                 Optional.ofNullable(here.get(stage)),
+                                                Optional.ofNullable(before.get(stage)),
                                                 Optional.ofNullable(
                                                         times.milliseconds().get(stage)),
                                                 times.share(stage),

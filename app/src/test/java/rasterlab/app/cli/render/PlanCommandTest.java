@@ -3,6 +3,7 @@ package rasterlab.app.cli.render;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
@@ -10,6 +11,8 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -178,8 +181,8 @@ class PlanCommandTest {
                         "--levels are for one eye",
                         "--levels=3",
                         "--stereo=anaglyph"),
-                bad("tolerance is 0", "tolerance must be above 0", "--tolerance=0"),
-                bad("tolerance is no number", "above 0 and at most 64", "--tolerance=NaN"),
+                bad("tolerance is 0", allowed("0"), "--tolerance=0"),
+                bad("tolerance is no number", allowed("NaN"), "--tolerance=NaN"),
                 bad(
                         "levels are many",
                         "levels must be from 0 to 255",
@@ -203,9 +206,47 @@ class PlanCommandTest {
         JsonNode report = new ObjectMapper().readTree(ran.out());
         assertEquals(80 * 60, report.path("counted").path("pixels").asInt());
         assertTrue(report.path("counted").path("fragments").asInt() > 500, ran.out());
+        assertEquals(1, sum(report.path("predicted").path("shares")), 0.01);
+    }
+
+    @Test
+    @DisplayName("a stage is counted and not predicted, or what is predicted is the count again")
+    void predictionOfEachStageStandsBesideItsCount() throws Exception {
+        String out = "--out=" + folder.resolve("a.png");
+        for (String[] asked : new String[][] {{"vase"}, {"torus", "--tolerance=1", "--levels=6"}}) {
+            Ran ran =
+                    tolerant(
+                            Stream.concat(Stream.of(asked), Stream.of("--size=80x60", out))
+                                    .toArray(String[]::new));
+            ran.assertDone();
+            JsonNode report = new ObjectMapper().readTree(ran.out());
+            JsonNode counted = report.path("counted");
+            JsonNode planner = report.path("planner");
+            assertEquals(names(counted), names(planner.path("work")), ran.out());
+            long fragments = counted.path("fragments").asLong();
+            long predicted = planner.path("work").path("fragments").asLong();
+            assertNotEquals(fragments, predicted, "an estimate that no pixel is off: " + ran.out());
+            assertEquals(fragments, predicted, 0.25 * fragments, ran.out());
+            for (JsonNode told : List.of(report.path("predicted"), planner)) {
+                assertEquals(1, sum(told.path("shares")), 0.01, ran.out());
+                double all = told.path("processorMilliseconds").asDouble();
+                assertEquals(all, sum(told.path("milliseconds")), 0.002, ran.out());
+            }
+            if (asked.length > 1)
+                assertEquals(planner.path("work"), report.path("plan").path("work"), ran.out());
+        }
+    }
+
+    private static List<String> names(JsonNode object) {
+        List<String> names = new ArrayList<>();
+        object.fieldNames().forEachRemaining(names::add);
+        return names;
+    }
+
+    private static double sum(JsonNode numbers) {
         double sum = 0;
-        for (JsonNode share : report.path("predicted").path("shares")) sum += share.asDouble();
-        assertEquals(1, sum, 0.01);
+        for (JsonNode number : numbers) sum += number.asDouble();
+        return sum;
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
@@ -221,13 +262,43 @@ class PlanCommandTest {
     static Stream<Arguments> mistakes() {
         return Stream.of(
                 bad("unknown scene", "no scene 'nosuch'", "nosuch"),
-                bad("no tolerance at all", "above 0", "cube", "--tolerance", "0"),
-                bad("negative tolerance", "above 0", "cube", "--tolerance", "-1"),
-                bad("tolerance is no number", "NaN", "cube", "--tolerance", "NaN"),
-                bad("negative levels", "levels", "cube", "--levels", "-1"),
-                bad("share above all", "error must", "cube", "--error", "1.5"),
+                bad("no tolerance at all", allowed("0"), "cube", "--tolerance", "0"),
+                bad("negative tolerance", allowed("-1"), "cube", "--tolerance", "-1"),
+                bad("tolerance is no number", allowed("NaN"), "cube", "--tolerance", "NaN"),
+                bad("tolerance is endless", allowed("Infinity"), "cube", "--tolerance=Infinity"),
+                bad(
+                        "tolerance is a word",
+                        "'--tolerance': 'fine' is not a number; expected one above 0 and at most 64",
+                        "cube",
+                        "--tolerance=fine"),
+                bad(
+                        "levels are a word",
+                        "'--levels': 'few' is not a number; expected one from 0 to 255",
+                        "cube",
+                        "--levels=few"),
+                bad(
+                        "share is a word",
+                        "'--error': 'some' is not a number; expected one from 0 to 1",
+                        "cube",
+                        "--error=some"),
+                bad(
+                        "negative levels",
+                        "--levels must be from 0 to 255, got -1",
+                        "cube",
+                        "--levels",
+                        "-1"),
+                bad(
+                        "share above all",
+                        "--error must be from 0 to 1, got 1.5",
+                        "cube",
+                        "--error",
+                        "1.5"),
                 bad("picture of another kind", "allowed is .png", "cube", "--out", "a.gif"),
                 bad("unwritable place", "no folder /nosuch", "cube", "--out", "/nosuch/a.png"));
+    }
+
+    private static String allowed(String typed) {
+        return "--tolerance must be above 0 and at most 64 pixels, got " + typed;
     }
 
     private static Arguments bad(String name, String line, String... arguments) {
