@@ -50,6 +50,7 @@ final class StudyInspector {
     private final JLabel wrong;
     private final JLabel verdict;
     private final JLabel recorded;
+    private final JTextArea origin;
     private final JTextArea notTimed;
     private final JTextArea detail;
     private final JTextArea input;
@@ -92,6 +93,7 @@ final class StudyInspector {
                         List.of(),
                         name -> words.workload(model.state().topic().name(), name),
                         model::chooseLevel);
+        origin = paragraph("origin");
         column.heading("heading.chosen");
         cost = column.value("cost");
         quartiles = column.value("quartiles");
@@ -153,6 +155,7 @@ final class StudyInspector {
         column.showRow(recorded, !chart);
         open.setVisible(!chart);
         input.setVisible(!chart);
+        say(origin, chart ? model.shippedStudy().map(words::shipped).orElse("") : "");
         say(signs, chart ? "" : texts.text("signs.meaning"));
         say(notTimed, chart ? state.study().map(this::notTimed).orElse("") : "");
         if (chart) showPoint(state);

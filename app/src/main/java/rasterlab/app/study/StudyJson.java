@@ -29,16 +29,31 @@ import rasterlab.engine.study.measuring.PowerFit;
 /** A study as JSON, with the machine that it was measured on, how, and every round. */
 final class StudyJson {
     private final JsonGenerator json;
+    private final boolean brief;
 
-    private StudyJson(JsonGenerator json) {
+    private StudyJson(JsonGenerator json, boolean brief) {
         this.json = json;
+        this.brief = brief;
     }
 
     static byte[] of(Study study) {
+        return of(study, false);
+    }
+
+    /**
+     * The study without what follows from its rounds, a line for each measurement: a reader of a
+     * study asks for no more.
+     */
+    static byte[] brief(Study study) {
+        return of(study, true);
+    }
+
+    private static byte[] of(Study study, boolean brief) {
         var bytes = new ByteArrayOutputStream();
         try (JsonGenerator json = new JsonFactory().createGenerator(bytes)) {
-            json.useDefaultPrettyPrinter();
-            new StudyJson(json).write(study);
+            if (!brief) json.useDefaultPrettyPrinter();
+            new StudyJson(json, brief).write(study);
+            if (brief) json.writeRaw('\n');
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -52,16 +67,22 @@ final class StudyJson {
         json.writeStringField("errorUnit", study.errorUnit());
         if (study.circumstances().isPresent()) write(study, study.circumstances().get());
         json.writeArrayFieldStart("measurements");
-        for (Measurement measured : study.measurements())
+        for (Measurement measured : study.measurements()) {
+            if (brief) json.writeRaw('\n');
             write(measured, study.noise(measured.workload()));
+        }
         json.writeEndArray();
+        if (!brief) writeConclusions(study);
+        json.writeEndObject();
+    }
+
+    private void writeConclusions(Study study) throws IOException {
         json.writeArrayFieldStart("comparisons");
         for (Ranking ranking : Ranking.all(study)) write(ranking);
         json.writeEndArray();
         json.writeArrayFieldStart("growth");
         for (SizesChart.Of of : SizesChart.Of.values()) writeGrowth(study, of);
         json.writeEndArray();
-        json.writeEndObject();
     }
 
     /** Writes the fitted power of the size for each method: factor · size ^ (exponent ± margin). */
@@ -164,7 +185,7 @@ final class StudyJson {
         json.writeNumberField("median", cost.medianNanos());
         json.writeNumberField("low", cost.lowNanos());
         json.writeNumberField("high", cost.highNanos());
-        if (cost.timed()) {
+        if (cost.timed() && !brief) {
             MedianInterval interval = cost.interval(noise);
             write("interval", List.of(interval.low(), interval.high()));
         }

@@ -37,7 +37,7 @@ import rasterlab.engine.study.Topic;
  *
  * <p>Measuring runs on a thread of the model's own; commands and news run on the thread of the
  * executor it is given. What was measured of a topic stays until it is measured again, also from
- * one run of the program to the next.
+ * one run of the program to the next; before that it is the result that ships with the program.
  */
 public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoCloseable {
     /** The time between news of a measurement; to show more of them would slow it down. */
@@ -52,6 +52,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     private final Background background;
     private final LatestReading reading;
     private final Map<String, Study> studies = new HashMap<>();
+    private final Map<String, Study> shipped = new HashMap<>();
     private final Map<String, List<VerdictCell>> verdicts = new HashMap<>();
     private final Listeners<StudyLabState> listeners = new Listeners<>();
     private Optional<KeptStudies> kept = Optional.empty();
@@ -142,7 +143,10 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         readLastResult();
     }
 
-    /** Keeps the last result of each topic in a folder, and shows those that are there. */
+    /**
+     * Keeps the last result of each topic in a folder, and shows those that are there, or else
+     * those that ship with the program.
+     */
     public void keepIn(Path folder) {
         kept = Optional.of(new KeptStudies(folder.resolve("studies")));
         readLastResult();
@@ -157,11 +161,24 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                 () -> {
                     try {
                         Optional<Study> read = from.read(topic);
-                        return () -> read.ifPresent(this::showKept);
+                        if (read.isPresent()) return () -> showKept(read.get());
+                        Optional<Study> other = ShippedStudies.of(topic);
+                        return () -> other.ifPresent(this::showShipped);
                     } catch (Complaint unread) {
                         return () -> tell(topic, StudyWork.Kind.NOT_READ, unread);
                     }
                 });
+    }
+
+    private void showShipped(Study study) {
+        shipped.put(study.topic(), study);
+        showKept(study);
+    }
+
+    /** The study that is shown, if it is the one that ships with the program. */
+    Optional<Study> shippedStudy() {
+        Study one = shipped.get(state.topic().name());
+        return state.study().filter(study -> study.equals(one));
     }
 
     private void showKept(Study study) {

@@ -245,9 +245,14 @@ public final class StudyPanel extends LabPanel {
         if (work.kind() == StudyWork.Kind.NOT_KEPT) return texts.text("progress.notKept", why);
         if (work.kind() == StudyWork.Kind.NOT_READ) return texts.text("progress.notRead", why);
         if (state.view() == StudyView.CHART)
-            return state.study()
-                    .map(one -> words.measuredOn(one).orElse(texts.text("progress.measured")))
+            return model.shippedStudy()
+                    .map(words::shipped)
+                    .or(() -> state.study().map(this::measured))
                     .orElse(texts.text("progress.none"));
         return texts.text(state.cells().isEmpty() ? "progress.untried" : "progress.tried");
+    }
+
+    private String measured(Study study) {
+        return words.measuredOn(study).orElse(texts.text("progress.measured"));
     }
 }

@@ -20,6 +20,7 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.study.CountedStudy;
+import rasterlab.app.study.ShippedStudies;
 import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.StudyProgress;
 import rasterlab.app.study.front.StudyPlot;
@@ -44,7 +45,7 @@ import rasterlab.engine.study.Topic;
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:the methods were compared",
-            "1:with --all, a topic has no page; its reason was printed",
+            "1:with --all, a topic has no page, and its reason was printed; with --ship, it was stopped",
             "2:an argument is wrong, or a file cannot be written"
         },
         footer = {
@@ -81,6 +82,14 @@ public final class StudyCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description = "file to write: .svg, .png, .csv or .json; may be given several times")
     private List<Path> files = List.of();
+
+    @Option(
+            names = "--ship",
+            paramLabel = "DIR",
+            description =
+                    "for who builds Rasterlab: each topic's result there, as it comes with the"
+                            + " program and its tab shows it before anything was measured")
+    private Optional<Path> ship = Optional.empty();
 
     @Option(names = "--quick", description = "fewer and shorter rounds, for a first look")
     private boolean quick;
@@ -134,6 +143,7 @@ public final class StudyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (ship.isPresent()) return shipped(ship.get());
         if (all) return findings();
         own.requireSource();
         if (topic.isEmpty()) throw Complaint.badInput("name a TOPIC, or all of them with --all");
@@ -162,9 +172,30 @@ public final class StudyCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
-    private int findings() {
-        if (topic.isPresent())
+    private int shipped(Path folder) {
+        requireOneOrAll();
+        if (topic.isEmpty() && !all) throw Complaint.badInput("--ship DIR needs TOPIC or --all");
+        if (own.isGiven()) throw Complaint.badInput("--with SOURCE does not go with --ship DIR");
+        if (!files.isEmpty()) throw Complaint.badInput("--out does not go with --ship DIR");
+        StudySettings settings = settings();
+        WholeFile.requireFolder(folder);
+        try (var stop = new StopRequest()) {
+            for (Topic<?, ?, ?> one : TopicChoice.of(topic.orElse(null))) {
+                Study study = measured(one, settings, stop);
+                if (!study.isWhole()) return ExitCode.FOUND_WRONG;
+                console.tell("wrote", ShippedStudies.write(study, folder).toString());
+            }
+        }
+        return ExitCode.DONE;
+    }
+
+    private void requireOneOrAll() {
+        if (all && topic.isPresent())
             throw Complaint.badInput("--all is all topics, '" + topic.get() + "' is one");
+    }
+
+    private int findings() {
+        requireOneOrAll();
         if (own.isGiven()) throw Complaint.badInput("--with SOURCE goes with one TOPIC");
         if (files.size() != 1)
             throw Complaint.badInput("--all needs one folder for its pages: --out DIR");

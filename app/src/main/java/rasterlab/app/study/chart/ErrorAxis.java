@@ -9,9 +9,10 @@ import rasterlab.engine.study.ParetoFront;
 /**
  * A logarithmic error axis with a place for zero: a band below the decade of the smallest error.
  *
- * <p>An error e &gt; 0 stands at e. Exact results stand in lanes between {@link #bottom} and {@link
- * #border}, one lane for each method, since they would hide each other on one line. The band is no
- * part of the scale: it has no numbers, and its height depends only on how many lanes it has.
+ * <p>An error e that does not count as exact stands at e. Exact results stand in lanes between
+ * {@link #bottom} and {@link #border}, one lane for each method, since they would hide each other
+ * on one line. The band is no part of the scale: it has no numbers, and its height depends only on
+ * how many lanes it has.
  *
  * @param low exponent of the axis' lowest decade of real errors
  * @param high exponent of its upper end
@@ -35,16 +36,17 @@ record ErrorAxis(int low, int high, List<String> lanes, boolean endless) {
     static ErrorAxis over(List<Measurement> points) {
         List<String> lanes =
                 points.stream()
-                        .filter(point -> error(point) == 0)
+                        .filter(point -> ParetoFront.error(point) == 0)
                         .map(Measurement::method)
                         .distinct()
                         .toList();
         DoubleSummaryStatistics real =
                 points.stream()
-                        .mapToDouble(ErrorAxis::error)
+                        .mapToDouble(ParetoFront::error)
                         .filter(error -> error > 0 && Double.isFinite(error))
                         .summaryStatistics();
-        boolean endless = points.stream().anyMatch(point -> Double.isInfinite(error(point)));
+        boolean endless =
+                points.stream().anyMatch(point -> Double.isInfinite(ParetoFront.error(point)));
         if (real.getCount() == 0) return new ErrorAxis(-1, 0, lanes, endless);
         int low = (int) Math.floor(Math.log10(real.getMin()));
         int high = Math.max(low + 1, (int) Math.ceil(Math.log10(real.getMax() * 1.2)));
@@ -53,16 +55,10 @@ record ErrorAxis(int low, int high, List<String> lanes, boolean endless) {
 
     /** Where a point stands, as a value of the axis; an infinite error at its upper end. */
     double position(Measurement point) {
-        double error = error(point);
+        double error = ParetoFront.error(point);
         if (error != 0) return Double.isFinite(error) ? error : top();
         double lane = lanes.indexOf(point.method()) + 1.0;
         return border() * Math.pow(10, -band() * lane / (lanes.size() + 1));
-    }
-
-    /** The error; infinite where an answer is not right and no number tells by how much. */
-    private static double error(Measurement point) {
-        double error = ParetoFront.error(point);
-        return Double.isInfinite(error) ? error : point.error().worst();
     }
 
     /** Height of the band of zero, in decades of the axis: a tenth to three fifths of the rest. */

@@ -15,8 +15,8 @@ import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
 
 /**
- * A sentence below a chart that names the methods that could not be timed, and why; no lines where
- * there are none.
+ * Sentences below a chart that name the methods that could not be timed, and why, and those that
+ * were not measured at all; no lines where there are none.
  */
 public record LeftOutNote(List<String> lines) {
     private static final int LINE_HEIGHT = 16;
@@ -37,7 +37,8 @@ public record LeftOutNote(List<String> lines) {
                                 measured.method(), method -> new EnumMap<>(Verdict.Kind.class))
                         .computeIfAbsent(measured.kind(), kind -> new ArrayList<>())
                         .add(measured);
-        var lines = new ArrayList<>(wrapped(words.notRightNote(study)));
+        var lines = new ArrayList<>(wrapped(words.notMeasuredNote(study)));
+        lines.addAll(wrapped(words.notRightNote(study)));
         if (points.isEmpty()) return new LeftOutNote(lines);
         String methods =
                 points.entrySet().stream()
@@ -70,8 +71,8 @@ public record LeftOutNote(List<String> lines) {
     /**
      * @param top upper edge of the note, in pixels of the picture
      */
-    void paint(Graphics2D graphics, int top) {
-        graphics.setColor(Color.DARK_GRAY);
+    void paint(Graphics2D graphics, Color ink, int top) {
+        graphics.setColor(ink);
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
         int y = top;
         for (String line : lines) {

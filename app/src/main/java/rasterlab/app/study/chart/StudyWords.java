@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.method.VerdictDetail;
@@ -15,6 +16,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Regime;
 import rasterlab.engine.study.Study;
@@ -188,6 +190,14 @@ public final class StudyWords {
         return study.circumstances().map(this::measuredOn);
     }
 
+    /** Says that a result is none of this machine, but came with the program, and its machine. */
+    public String shipped(Study study) {
+        return texts.text(
+                "measured.shipped",
+                measuredOn(study).orElse(""),
+                study.circumstances().map(how -> how.machine().java()).orElse(""));
+    }
+
     private String measuredOn(StudyConditions how) {
         String when =
                 DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT)
@@ -245,6 +255,23 @@ public final class StudyWords {
     /** Whether a result is not right though no item is misplaced, so that no number tells how. */
     private static boolean hasNoNumber(Measurement one) {
         return one.cost().timed() && Double.isInfinite(ParetoFront.error(one));
+    }
+
+    /**
+     * Names the methods of the topic that a measured study has nothing of, as where it is older
+     * than they are; empty where it has all.
+     */
+    String notMeasuredNote(Study study) {
+        if (study.circumstances().isEmpty()) return "";
+        Set<String> measured =
+                study.measurements().stream().map(Measurement::method).collect(Collectors.toSet());
+        String missing =
+                Topics.named(study.topic()).methods().stream()
+                        .map(Method::name)
+                        .filter(name -> !measured.contains(name))
+                        .map(this::called)
+                        .collect(Collectors.joining(", "));
+        return missing.isEmpty() ? "" : texts.text("chart.notMeasured", missing);
     }
 
     /** Tells which results stand in the row above all numbers, and why; empty for none. */

@@ -217,7 +217,9 @@ class SizeLabelsTest {
 
     private static String svg(Study study) {
         var words = new StudyWords(Language.ENGLISH);
-        byte[] svg = ChartLook.PAPER.svg(graphics -> StudyChart.paint(study, words, graphics));
+        byte[] svg =
+                ChartLook.PAPER.svg(
+                        graphics -> StudyChart.paint(study, words, ChartLook.PAPER, graphics));
         return new String(svg, StandardCharsets.UTF_8);
     }
 }

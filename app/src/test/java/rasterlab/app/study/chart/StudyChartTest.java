@@ -1,8 +1,10 @@
 package rasterlab.app.study.chart;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -44,6 +46,38 @@ class StudyChartTest {
         assertTrue(dda < axis.border() && axis.border() <= 0.25, "below the border");
         assertEquals(0.25, axis.position(points.get(2)));
         assertTrue(axis.top() > 0.25);
+    }
+
+    @Test
+    @DisplayName("rounding that counts as exact stretches the axis by many decades")
+    void whatCountsAsExactStandsInTheBand() {
+        var rounded =
+                new Measurement(
+                        "dda",
+                        "w",
+                        16,
+                        new Cost(2, 1, 3, Map.of()),
+                        new Deviation(1e-16, 0, 0, 10, ""),
+                        Verdict.Kind.EXACT,
+                        "");
+        ErrorAxis axis = ErrorAxis.over(List.of(rounded, point("naive", 2)));
+        assertTrue(axis.position(rounded) < axis.border(), "" + axis);
+        assertEquals(List.of(1.0, 10.0), axis.ticks());
+    }
+
+    @Test
+    @DisplayName("a dark chart is white, or has a legend in place of names at the lines' ends")
+    void chartIsDrawnOnItsGroundWithNamesAtTheEnds() {
+        var study = new Study("line", "pixel", "pixels", List.of(point("dda", 3)));
+        var dark = new ChartLook(new Color(20, 25, 31), new Color(230, 233, 238));
+        BufferedImage drawn =
+                dark.image(graphics -> StudyChart.paint(study, ENGLISH, dark, graphics));
+        assertEquals(dark.ground().getRGB(), drawn.getRGB(3, 3));
+        assertEquals(dark.ground().getRGB(), drawn.getRGB(drawn.getWidth() - 3, 350));
+        assertFalse(has(drawn, Color.WHITE.getRGB()), "white on dark");
+        String svg = svg(study);
+        assertEquals(2, svg.split(">dda<", -1).length, "named once");
+        assertFalse(StudyChart.chart(study, ENGLISH).getStyler().isLegendVisible());
     }
 
     @Test
@@ -280,13 +314,15 @@ class StudyChartTest {
 
     private static Measurement point(String method, double error) {
         var deviation = new Deviation(error, 0, 0, 10, "");
-        return new Measurement(
-                method, "w", 16, new Cost(2, 1, 3, Map.of()), deviation, Verdict.Kind.EXACT, "");
+        Verdict.Kind kind = error == 0 ? Verdict.Kind.EXACT : Verdict.Kind.DEGRADED;
+        return new Measurement(method, "w", 16, new Cost(2, 1, 3, Map.of()), deviation, kind, "");
     }
 
     private static String svg(Study study) {
         var words = new StudyWords(Language.RUSSIAN);
-        byte[] svg = ChartLook.PAPER.svg(graphics -> StudyChart.paint(study, words, graphics));
+        byte[] svg =
+                ChartLook.PAPER.svg(
+                        graphics -> StudyChart.paint(study, words, ChartLook.PAPER, graphics));
         return new String(svg, StandardCharsets.UTF_8);
     }
 }

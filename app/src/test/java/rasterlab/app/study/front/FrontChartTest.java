@@ -180,6 +180,21 @@ class FrontChartTest {
     }
 
     @Test
+    @DisplayName("the last size, or the first, has no number at its axis")
+    void axisOfSizesNamesTheSizesThatWereMeasured() {
+        var points = new ArrayList<Measurement>();
+        for (int size : new int[] {16, 17, 250, 256}) points.add(timed("dda", size, 10, 2));
+        Study study = of("line", points);
+        for (StudyPlot plot :
+                List.of(StudyPlot.COST_GROWTH, StudyPlot.ERROR_GROWTH, StudyPlot.ERROR_BY_INPUT)) {
+            String svg = svg(plot, study);
+            assertTrue(svg.contains(">16<") && svg.contains(">256<"), plot.code());
+            assertFalse(svg.contains(">17<") || svg.contains(">250<"), "on its neighbour");
+            assertFalse(svg.contains(">100<"), "not measured: " + plot.code());
+        }
+    }
+
+    @Test
     @DisplayName("the chart of errors does not say which method is best where")
     void regimesAreNamedOnTheChartAndBelow() {
         String svg = svg(StudyPlot.ERROR_BY_INPUT, Language.ENGLISH);

@@ -1,4 +1,4 @@
-package rasterlab.app.study.front;
+package rasterlab.app.chart;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
