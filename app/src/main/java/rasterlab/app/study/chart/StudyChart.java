@@ -12,31 +12,37 @@ import java.util.stream.Collectors;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
-import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
 import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.LeaderColumn;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 
-/** A study as a chart: cost to the right, error upwards, a line through each method's sizes. */
+/**
+ * A study as a chart: cost to the right, error upwards, a line through each method's sizes with its
+ * name at the end.
+ */
 public final class StudyChart {
     private StudyChart() {}
 
     /** The chart as a picture. */
     public static BufferedImage image(Study study, Language language) {
         var words = new StudyWords(language);
-        return ChartLook.PAPER.image(graphics -> paint(study, words, graphics));
+        return ChartLook.PAPER.image(graphics -> paint(study, words, ChartLook.PAPER, graphics));
     }
 
-    /** Draws the chart in the usual size. */
-    public static void paint(Study study, StudyWords words, Graphics2D graphics) {
+    /** Draws the chart in the usual size, the methods' names to the right of it. */
+    public static void paint(Study study, StudyWords words, ChartLook paper, Graphics2D graphics) {
         var note = LeftOutNote.of(study, words);
         int height = ChartLook.HEIGHT - note.height();
-        chart(study, words).paint(graphics, ChartLook.WIDTH, height);
-        note.paint(graphics, height);
+        List<String> names = looks(study, paper).keySet().stream().map(words::called).toList();
+        int column = LeaderColumn.width(names, graphics.getFontMetrics(LeaderColumn.FONT));
+        chart(study, words, paper)
+                .paint(graphics, ChartLook.WIDTH - column - LineNames.MARGIN, height);
+        note.paint(graphics, paper.note(), height);
     }
 
     static XYChart chart(Study study, StudyWords words) {
@@ -47,6 +53,7 @@ public final class StudyChart {
         var costs = CostAxis.over(points(study));
         var errors = ErrorAxis.over(points(study));
         var sizes = new SizeLabels(paper.ground());
+        var names = new LineNames(paper.ink());
         XYChart chart = empty(study, words);
         paper.style(chart.getStyler(), words.locale());
         style(chart.getStyler());
@@ -55,6 +62,10 @@ public final class StudyChart {
         looks(study, paper)
                 .forEach(
                         (method, look) -> {
+                            names.add(
+                                    words.called(method),
+                                    end(method, points(study), errors),
+                                    look.color());
                             for (List<Measurement> line : lines(method, points(study))) {
                                 add(chart, words.called(method), look, line, errors);
                                 label(sizes, look, line, errors, point -> words.size(study, point));
@@ -63,7 +74,18 @@ public final class StudyChart {
         sizes.avoidEdge(errors.border());
         sizes.avoidEdge(errors.bottom());
         chart.addAnnotation(sizes);
+        chart.addAnnotation(names);
         return chart;
+    }
+
+    /** The point of a method that is furthest to the right. */
+    private static SizeLabels.SizePoint end(
+            String method, List<Measurement> points, ErrorAxis axis) {
+        return points.stream()
+                .filter(point -> point.method().equals(method))
+                .max(Comparator.comparingDouble(StudyChart::cost))
+                .map(point -> new SizeLabels.SizePoint(cost(point), axis.position(point)))
+                .orElseThrow();
     }
 
     /** Looks of the methods that have a place on the chart, in teaching order. */
@@ -99,7 +121,7 @@ public final class StudyChart {
     }
 
     private static void style(XYStyler styler) {
-        styler.setLegendPosition(LegendPosition.OutsideE);
+        styler.setLegendVisible(false);
         styler.setPlotGridLinesVisible(false).setAxisTicksMarksVisible(false);
         styler.setMarkerSize(11);
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.BiConsumer;
 import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.LeaderColumn;
 
 /**
  * The page of a chart: its title above the plot, names to the right of it, notes below.

@@ -9,6 +9,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.Function;
 import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.LeaderColumn;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
@@ -102,7 +103,7 @@ public final class ErrorByInputChart implements StudyPicture {
         LogScale up = LogScale.over(errors, exact - 6, failed + 10);
         band(graphics, FAILED, plot, plot.getMinY(), failed);
         band(graphics, EXACT, plot, exact, plot.getMaxY());
-        frame.axisRight(across, words.sizeAxis(study));
+        frame.axisRight(across, sizes.stream().distinct().toList(), words.sizeAxis(study));
         if (errors.isEmpty()) frame.wordsUp(words.errorAxis(study));
         else frame.axisUp(up, words.errorAxis(study));
         frame.besideLeft(words.exactShort(), (exact + plot.getMaxY()) / 2);

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.app.canvas.method.MethodColors;
 import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.LeaderColumn;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.Topics;

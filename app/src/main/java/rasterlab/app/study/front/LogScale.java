@@ -15,6 +15,9 @@ import java.util.stream.IntStream;
 record LogScale(double low, double high, double from, double to) {
     private static final int MOST_TICKS = 9;
 
+    /** The ratio below which all values are about one, which gets an axis around it. */
+    private static final double FLAT = 1.02;
+
     LogScale {
         if (!(0 < low && low < high))
             throw new IllegalArgumentException(
@@ -25,7 +28,7 @@ record LogScale(double low, double high, double from, double to) {
     static LogScale over(List<Double> values, double from, double to) {
         double least = values.stream().mapToDouble(one -> one).min().orElse(1);
         double most = values.stream().mapToDouble(one -> one).max().orElse(10);
-        double margin = Math.max(1.15, Math.pow(most / least, 0.06));
+        double margin = most / least < FLAT ? 2 : Math.max(1.15, Math.pow(most / least, 0.06));
         return new LogScale(least / margin, most * margin, from, to);
     }
 

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.LeaderColumn;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.rooms.LabRooms;
 

@@ -23,6 +23,9 @@ final class PlotFrame {
     private static final Font NOTE = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
     private static final int NOTE_ROW = 14;
 
+    /** The least distance between two numbers. */
+    private static final int GAP = 6;
+
     private final Graphics2D graphics;
     private final ChartLook paper;
     private final Rectangle2D plot;
@@ -62,22 +65,43 @@ final class PlotFrame {
 
     /** Draws the axis to the right with its words below. */
     void axisRight(LogScale scale, String words) {
+        axisRight(scale, scale.ticks(), words);
+    }
+
+    /**
+     * Draws the axis to the right with its words below.
+     *
+     * @param ticks from the left; the first and the last have a number, those between where it has
+     *     room
+     */
+    void axisRight(LogScale scale, List<Double> ticks, String words) {
         graphics.setFont(NUMBER);
-        FontMetrics metrics = graphics.getFontMetrics();
-        double end = -1;
-        for (double tick : scale.ticks()) {
-            double x = scale.at(tick);
+        int last = ticks.size() - 1;
+        double end = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i <= last; i++) {
+            double x = scale.at(ticks.get(i));
             graphics.setColor(pale(40));
             graphics.setStroke(new BasicStroke(1));
             graphics.draw(new Line2D.Double(x, plot.getMinY(), x, plot.getMaxY()));
-            String said = LogTicks.label(tick, locale);
-            double left = x - metrics.stringWidth(said) / 2.0;
-            if (left < end + 6) continue;
-            end = left + metrics.stringWidth(said);
+            double right = x + width(ticks.get(i)) / 2;
+            boolean before = i == last || right + GAP < left(scale, ticks.get(last));
+            if (!before || left(scale, ticks.get(i)) < end + GAP) continue;
+            end = right;
             graphics.setColor(paper.ink());
-            graphics.drawString(said, (float) left, (float) plot.getMaxY() + 17);
+            graphics.drawString(
+                    LogTicks.label(ticks.get(i), locale),
+                    (float) left(scale, ticks.get(i)),
+                    (float) plot.getMaxY() + 17);
         }
         middle(AXIS, words, plot.getCenterX(), plot.getMaxY() + 36);
+    }
+
+    private double left(LogScale scale, double tick) {
+        return scale.at(tick) - width(tick) / 2;
+    }
+
+    private double width(double tick) {
+        return graphics.getFontMetrics(NUMBER).stringWidth(LogTicks.label(tick, locale));
     }
 
     /** Draws the axis upwards with its words beside, read from below. */

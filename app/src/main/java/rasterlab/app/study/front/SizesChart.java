@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.LeaderColumn;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
@@ -127,7 +128,8 @@ public final class SizesChart implements StudyPicture {
     private void paintLines(Graphics2D graphics, PlotFrame frame, Rectangle2D plot) {
         LogScale across = LogScale.over(values(true), plot.getMinX(), plot.getMaxX());
         LogScale up = LogScale.over(values(false), plot.getMaxY(), plot.getMinY());
-        frame.axisRight(across, words.sizeAxis(study));
+        frame.axisRight(
+                across, values(true).stream().distinct().sorted().toList(), words.sizeAxis(study));
         frame.axisUp(up, of == Of.COST ? words.costPerInput(study) : words.errorAxis(study));
         var labels = new ArrayList<LeaderColumn.LeaderLabel>();
         for (Line line : lines) {

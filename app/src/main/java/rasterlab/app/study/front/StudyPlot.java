@@ -19,7 +19,7 @@ public enum StudyPlot {
     SIZES {
         @Override
         public StudyPicture of(Study study, StudyWords words, ChartLook paper) {
-            return (graphics, width, height) -> StudyChart.paint(study, words, graphics);
+            return (graphics, width, height) -> StudyChart.paint(study, words, paper, graphics);
         }
     },
     COST_GROWTH {

@@ -1,4 +1,4 @@
-package rasterlab.app.study.front;
+package rasterlab.app.chart;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -18,8 +18,8 @@ import java.util.stream.IntStream;
  * while that makes two of them shorter. Source: M. A. Bekos and others, Boundary Labeling,
  * Computational Geometry 36(3), 2007, section 3.
  */
-final class LeaderColumn {
-    static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
+public final class LeaderColumn {
+    public static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
     private static final int ROW = 16;
     private static final double SHORT = 1e-9;
@@ -30,7 +30,7 @@ final class LeaderColumn {
      * @param color of the words
      * @param leader of the line
      */
-    record LeaderLabel(String text, double x, double y, Color color, Color leader) {}
+    public record LeaderLabel(String text, double x, double y, Color color, Color leader) {}
 
     /** Where a label stands: left end and middle of its row. */
     record LabelRow(double x, double y) {}
@@ -45,7 +45,7 @@ final class LeaderColumn {
      * @param top upper end of the column
      * @param bottom lower end of the column
      */
-    LeaderColumn(List<LeaderLabel> labels, double left, double top, double bottom) {
+    public LeaderColumn(List<LeaderLabel> labels, double left, double top, double bottom) {
         this.labels = labels.stream().sorted(Comparator.comparingDouble(LeaderLabel::y)).toList();
         this.left = left;
         this.top = top;
@@ -53,7 +53,7 @@ final class LeaderColumn {
     }
 
     /** Width of the widest of these names. */
-    static int width(List<String> names, FontMetrics metrics) {
+    public static int width(List<String> names, FontMetrics metrics) {
         return names.stream().mapToInt(metrics::stringWidth).max().orElse(0);
     }
 
@@ -101,9 +101,11 @@ final class LeaderColumn {
     }
 
     /**
+     * Draws the names and the lines to them.
+     *
      * @param gap from a point's middle to where the line begins
      */
-    void paint(Graphics2D graphics, double gap) {
+    public void paint(Graphics2D graphics, double gap) {
         graphics.setFont(FONT);
         FontMetrics metrics = graphics.getFontMetrics();
         List<LabelRow> rows = rows();
