@@ -25,7 +25,7 @@ final class HazardHtml {
             section{border:1px solid #9aa3ad;border-radius:6px;padding:10px;min-width:0;\
             break-inside:avoid}
             section p{overflow-wrap:anywhere;margin:.3em 0}
-            img{max-width:100%;height:auto;background:#fff}
+            img,svg{max-width:100%;height:auto;background:#fff}
             @media(max-width:500px){dl{grid-template-columns:1fr}}
             @media(prefers-color-scheme:dark){body{background:#1b1d20;color:#f0f2f4}\
             pre{background:#25282c}}

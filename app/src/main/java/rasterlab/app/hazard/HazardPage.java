@@ -1,11 +1,18 @@
 package rasterlab.app.hazard;
 
+import java.awt.Dimension;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.function.Function;
+import javax.imageio.ImageIO;
 import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
@@ -22,7 +29,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.graded.AnswerPictures;
-import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.PictureBytes;
 
 /** The page of one topic: every method on every hazard. */
 public final class HazardPage<C, I, O> {
@@ -35,6 +42,9 @@ public final class HazardPage<C, I, O> {
     private final AnswerPictures<C, I, O> pictures;
     private final List<VerdictCell> verdicts = new ArrayList<>();
     private final StringBuilder cells = new StringBuilder();
+
+    /** The right answer to the hazard that is being written, once a cell has shown it. */
+    private Optional<RightAnswer> right = Optional.empty();
 
     private HazardPage(Topic<C, I, O> topic, Language language) {
         this.topic = topic;
@@ -91,23 +101,17 @@ public final class HazardPage<C, I, O> {
                 HazardTrial.trying(topic, hazard.input(), longest);
         String title = called.hazard(topic, hazard);
         var below = new StringBuilder();
-        var exact = new ArrayList<String>();
+        right = Optional.empty();
         for (Method<C> method : topic.methods()) {
             MethodAnswer<O> tried = trial.apply(method);
             Verdict.Kind recorded =
                     hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
             var cell = new VerdictCell(hazard.name(), method.name(), tried.verdict(), recorded);
             verdicts.add(cell);
-            if (tried.verdict().kind() == Verdict.Kind.EXACT) exact.add(method.name());
-            else below.append(section(hazard, method, tried, cell.asRecorded()));
+            below.append(section(hazard, method, tried, cell.asRecorded()));
         }
         cells.append("<h2 id=\"%s\">%s</h2>\n".formatted(hazard.name(), text(title)));
         cells.append("<p>%s</p>\n".formatted(text(explanation(hazard))));
-        if (!exact.isEmpty()) {
-            cells.append(
-                    "<p>%s</p>\n".formatted(text(texts.text("exact", String.join(", ", exact)))));
-            cells.append(command(repeating(hazard, exact.get(0))));
-        }
         cells.append("<div class=\"cells\">\n").append(below).append("</div>\n");
     }
 
@@ -130,30 +134,64 @@ public final class HazardPage<C, I, O> {
                                                         + (known ? "" : " !"))));
         String detail = VerdictDetail.saidToTypist(texts.language(), verdict.detail());
         if (!verdict.detail().isEmpty()) html.append("<p>%s</p>\n".formatted(text(detail)));
-        String code = texts.locale().getLanguage();
-        picture(hazard, tried)
-                .ifPresent(
-                        drawn ->
-                                html.append(
-                                        "<img alt=\"%s\" src=\"data:image/png;base64,%s\">\n"
-                                                .formatted(
-                                                        text(texts.text("difference")),
-                                                        Base64.getEncoder()
-                                                                .encodeToString(drawn.png(code)))));
+        html.append(picture(hazard, tried));
         return html.append(command(repeating(hazard, method.name())))
                 .append("</section>\n")
                 .toString();
     }
 
-    /** The picture of a method's answer to the hazard, under guard, since an answer may be huge. */
-    private Optional<CasePicture> picture(Hazard<I> hazard, MethodAnswer<O> tried) {
-        if (tried.made().isEmpty()) return Optional.empty();
-        var drawn =
-                Guard.call(
-                        "picture of " + hazard.name(),
-                        () -> pictures.drawn(hazard.input(), tried.exact(), tried.made().get()),
-                        LONGEST_DRAWING);
-        return drawn instanceof Guard.Returned<Optional<CasePicture>> returned
+    /**
+     * The picture of a method's answer to the hazard: what differs, or, where nothing does, the
+     * right answer.
+     */
+    private String picture(Hazard<I> hazard, MethodAnswer<O> tried) {
+        if (tried.made().isEmpty()) return "";
+        if (tried.verdict().kind() == Verdict.Kind.EXACT) return rightPicture(hazard, tried);
+        return guarded(
+                        hazard,
+                        () -> pictures.drawn(hazard.input(), tried.exact(), tried.made().get()))
+                .map(
+                        drawn ->
+                                "<img alt=\"%s\" src=\"%s\">\n"
+                                        .formatted(text(texts.text("difference")), data(drawn)))
+                .orElseGet(() -> notDrawn());
+    }
+
+    /** The right answer's picture, which the page holds once for all cells that show it. */
+    private String rightPicture(Hazard<I> hazard, MethodAnswer<O> tried) {
+        String id = "right." + hazard.name();
+        if (right.isEmpty())
+            right =
+                    guarded(hazard, () -> pictures.right(hazard.input(), tried.exact()))
+                            .map(drawn -> new RightAnswer(data(drawn), size(drawn)))
+                            .or(() -> Optional.of(RightAnswer.NONE));
+        return right.orElseThrow().html(id, text(texts.text("right")), notDrawn());
+    }
+
+    private String notDrawn() {
+        return "<p>%s</p>\n".formatted(text(texts.text("not.drawn")));
+    }
+
+    private String data(PictureBytes drawn) {
+        byte[] png = drawn.in(texts.locale().getLanguage());
+        return "data:image/png;base64," + Base64.getEncoder().encodeToString(png);
+    }
+
+    private Dimension size(PictureBytes drawn) {
+        try {
+            byte[] png = drawn.in(texts.locale().getLanguage());
+            BufferedImage image = ImageIO.read(new ByteArrayInputStream(png));
+            return new Dimension(image.getWidth(), image.getHeight());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Draws under guard, since an answer may be huge. */
+    private static Optional<PictureBytes> guarded(
+            Hazard<?> hazard, Callable<Optional<PictureBytes>> drawing) {
+        var drawn = Guard.call("picture of " + hazard.name(), drawing, LONGEST_DRAWING);
+        return drawn instanceof Guard.Returned<Optional<PictureBytes>> returned
                 ? returned.value()
                 : Optional.empty();
     }

@@ -91,8 +91,7 @@ public final class VerdictTable {
 
     private void addCell(VerdictCell cell) {
         Verdict.Kind kind = cell.verdict().kind();
-        String place =
-                kind == Verdict.Kind.EXACT ? cell.hazard() : id(cell.hazard(), cell.method());
+        String place = id(cell.hazard(), cell.method());
         String command = repeating(topic.name(), cell.method(), cell.hazard(), language);
         html.append(
                 "<td class=\"%s\"><a href=\"%s#%s\" title=\"%s\">%s</a></td>"

@@ -1,6 +1,6 @@
 /**
- * Hazards as a page: the table of verdicts, and for each verdict that is not exact its picture,
- * what is wrong and the command that repeats it.
+ * Hazards as a page: the table of verdicts, and for each verdict its picture, what is wrong and the
+ * command that repeats it.
  *
  * <p>Start with {@link rasterlab.app.hazard.HazardPage}.
  */

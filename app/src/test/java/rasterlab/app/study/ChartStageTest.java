@@ -22,9 +22,7 @@ import rasterlab.engine.Topics;
 @Tag("slow")
 @Timeout(300)
 class ChartStageTest {
-    /** Wide enough for the longest title in the larger type. */
-    private static final int WIDTH = 1200;
-
+    private static final int WIDTH = 900;
     private static final int HEIGHT = 640;
 
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
