@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.findings.FoundContents.TopicFinding;
 import rasterlab.app.hazard.HazardPage;
@@ -19,10 +20,12 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.study.HazardMatrix;
+import rasterlab.app.study.StudyCost;
 import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.app.study.front.StudyPlot;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyConditions;
@@ -156,16 +159,31 @@ public final class Findings {
         for (String extension : List.of(".json", ".csv"))
             StudyFile.write(
                     study, folder.resolve(DATA).resolve(study.topic() + extension), language);
-        var words = new StudyWords(language);
-        for (StudyPlot plot : StudyPlot.values()) {
-            Path charts = folder.resolve(CHARTS);
-            String name = study.topic() + "-" + plot.code();
-            WholeFile.write(
-                    charts.resolve(name + ".svg"),
-                    plot.of(study, words, ChartLook.PAPER).svg(ChartLook.PAPER));
-            WholeFile.write(
-                    charts.resolve(name + "-dark.svg"), plot.of(study, words, DARK).svg(DARK));
-        }
+        for (StudyPlot plot : StudyPlot.values())
+            writeChart(study, plot, StudyCost.TIME, study.topic() + "-" + plot.code());
+        for (StudyCost cost : counted(Topics.named(study.topic())))
+            writeChart(study, StudyPlot.FRONT, cost, front(study.topic(), cost));
+    }
+
+    private void writeChart(Study study, StudyPlot plot, StudyCost cost, String name) {
+        Path charts = folder.resolve(CHARTS);
+        Study shown = cost.of(study);
+        StudyWords words = cost.words(language);
+        WholeFile.write(
+                charts.resolve(name + ".svg"),
+                plot.of(shown, words, ChartLook.PAPER).svg(ChartLook.PAPER));
+        WholeFile.write(charts.resolve(name + "-dark.svg"), plot.of(shown, words, DARK).svg(DARK));
+    }
+
+    /** The costs beside time that a topic has, each a front of its own. */
+    private static List<StudyCost> counted(Topic<?, ?, ?> topic) {
+        return Stream.of(StudyCost.OPERATIONS, StudyCost.PARTS)
+                .filter(cost -> cost.isPossible(topic))
+                .toList();
+    }
+
+    private static String front(String topic, StudyCost cost) {
+        return topic + "-" + StudyPlot.FRONT.code() + "-" + cost.code();
     }
 
     private void writeTopic(
@@ -185,6 +203,7 @@ public final class Findings {
                             "study %s%s --chart %s --out %s.svg"
                                     .formatted(topic.name(), paced(), plot.code(), plot.code())));
             page.end();
+            if (plot == StudyPlot.FRONT) addCounted(page, topic);
         }
         page.heading(texts.text("hazards")).paragraph(texts.text("hazards.meaning"));
         if (hazards.cells().stream().anyMatch(cell -> cell.verdict().kind() == DEGRADED))
@@ -195,6 +214,19 @@ public final class Findings {
         page.link(DATA + "/" + topic.name() + ".json", "JSON", texts.text("data.json"));
         page.link(DATA + "/" + topic.name() + ".csv", "CSV", texts.text("data.csv"));
         WholeFile.write(FoundContents.page(folder, topic), page.html());
+    }
+
+    private void addCounted(FoundPage page, Topic<?, ?, ?> topic) {
+        for (StudyCost cost : counted(topic)) {
+            String name = CHARTS + "/" + front(topic.name(), cost);
+            page.begin("shown");
+            page.chart(name, texts.text("chart." + cost.code()), name + ".svg");
+            page.command(
+                    language.command(
+                            "study %s%s --cost %s --out %s.svg"
+                                    .formatted(topic.name(), paced(), cost.code(), cost.code())));
+            page.end();
+        }
     }
 
     /** When a study was begun, as people read it. */

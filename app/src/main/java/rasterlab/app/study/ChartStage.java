@@ -31,7 +31,6 @@ import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.app.study.front.FrontChart;
 import rasterlab.engine.study.Measurement;
@@ -53,7 +52,13 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
      * @param dots of the picture for each unit
      */
     private record StudyChartRequest(
-            Study study, String level, int width, int height, double dots, StageColors colors) {}
+            Study study,
+            StudyCost cost,
+            String level,
+            int width,
+            int height,
+            double dots,
+            StageColors colors) {}
 
     private record Painted(
             StudyChartRequest asked, BufferedImage image, List<FrontChart.PaintedPoint> spots) {}
@@ -145,7 +150,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     void refresh() {
         Optional<StudyChartRequest> wanted =
                 model.state()
-                        .study()
+                        .shownStudy()
                         .filter(study -> getWidth() > 0 && getHeight() > 0)
                         .flatMap(
                                 study ->
@@ -164,6 +169,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         double type = type(getWidth(), getHeight(), UIScale.getUserScaleFactor());
         return new StudyChartRequest(
                 study,
+                model.state().view().cost().orElse(StudyCost.TIME),
                 level,
                 (int) Math.round(getWidth() / type),
                 (int) Math.round(getHeight() / type),
@@ -187,7 +193,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                 new FrontChart(
                         question.study(),
                         question.level(),
-                        new StudyWords(texts.language()),
+                        question.cost().words(texts.language()),
                         ChartLook.on(colors));
         var image =
                 new BufferedImage(

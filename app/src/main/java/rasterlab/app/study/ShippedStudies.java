@@ -124,7 +124,7 @@ public final class ShippedStudies {
                 one.errors().stream().map(each -> rounded(each, DIGITS_OF_ERRORS)).toList());
     }
 
-    /** As many rounds as ship, spread evenly over all. */
+    /** Takes as many rounds as ship, spread evenly over all. */
     private static List<Double> few(List<Double> rounds) {
         int shown = Math.min(MOST_ROUNDS, rounds.size());
         return IntStream.range(0, shown)

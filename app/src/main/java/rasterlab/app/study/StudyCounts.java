@@ -13,10 +13,13 @@ import rasterlab.engine.study.Study;
  */
 public record StudyCounts(List<String> names) {
     /** How many items one pass over a workload has; they divide the other counts. */
-    private static final String ITEMS = "items";
+    static final String ITEMS = "items";
+
+    /** How many inputs a workload has. */
+    static final String INPUTS = "inputs";
 
     /** The counts that say how much was measured, not what it took. */
-    private static final List<String> AMOUNTS = List.of(ITEMS, "inputs");
+    private static final List<String> AMOUNTS = List.of(ITEMS, INPUTS);
 
     public StudyCounts {
         names = List.copyOf(names);

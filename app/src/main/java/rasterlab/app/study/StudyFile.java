@@ -10,7 +10,6 @@ import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.front.StudyPlot;
 import rasterlab.engine.study.Study;
 
@@ -18,38 +17,38 @@ import rasterlab.engine.study.Study;
 public enum StudyFile {
     SVG {
         @Override
-        byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
-            return plot.of(shown(study, counted), words(counted, language), ChartLook.PAPER)
+        byte[] content(Study study, StudyPlot plot, StudyCost cost, Language language) {
+            return plot.of(cost.of(study), cost.words(language), ChartLook.PAPER)
                     .svg(ChartLook.PAPER);
         }
     },
     PNG {
         @Override
-        byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
+        byte[] content(Study study, StudyPlot plot, StudyCost cost, Language language) {
             return PngFile.bytes(
-                    plot.of(shown(study, counted), words(counted, language), ChartLook.PAPER)
+                    plot.of(cost.of(study), cost.words(language), ChartLook.PAPER)
                             .image(ChartLook.PAPER));
         }
     },
     CSV {
         @Override
-        byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
+        byte[] content(Study study, StudyPlot plot, StudyCost cost, Language language) {
             return StudyCsv.of(study).getBytes(StandardCharsets.UTF_8);
         }
     },
     JSON {
         @Override
-        byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
+        byte[] content(Study study, StudyPlot plot, StudyCost cost, Language language) {
             return StudyJson.of(study);
         }
     };
 
     /**
      * @param plot which chart
-     * @param counted whether a chart shows what was counted instead of times
+     * @param cost of a chart
      * @param language of a chart; numbers have none
      */
-    abstract byte[] content(Study study, StudyPlot plot, boolean counted, Language language);
+    abstract byte[] content(Study study, StudyPlot plot, StudyCost cost, Language language);
 
     /**
      * The form that the file's extension names, in capitals or not.
@@ -84,27 +83,19 @@ public enum StudyFile {
      * @throws Complaint if the extension is unknown or the file cannot be written
      */
     public static void write(Study study, Path file, Language language) {
-        write(study, StudyPlot.FRONT, false, file, language);
+        write(study, StudyPlot.FRONT, StudyCost.TIME, file, language);
     }
 
     /**
      * Writes the study, whole or not at all.
      *
      * @param plot which chart
-     * @param counted whether a chart shows what was counted instead of times
+     * @param cost of a chart
      * @param language of a chart
      * @throws Complaint if the extension is unknown or the file cannot be written
      */
     public static void write(
-            Study study, StudyPlot plot, boolean counted, Path file, Language language) {
-        WholeFile.write(file, named(file).content(study, plot, counted, language));
-    }
-
-    private static Study shown(Study study, boolean counted) {
-        return counted ? CountedStudy.of(study) : study;
-    }
-
-    private static StudyWords words(boolean counted, Language language) {
-        return counted ? StudyWords.ofCounts(language) : new StudyWords(language);
+            Study study, StudyPlot plot, StudyCost cost, Path file, Language language) {
+        WholeFile.write(file, named(file).content(study, plot, cost, language));
     }
 }

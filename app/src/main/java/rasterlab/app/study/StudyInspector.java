@@ -3,7 +3,6 @@ package rasterlab.app.study;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
@@ -46,6 +45,7 @@ final class StudyInspector {
     private final NameChooser workload;
     private final JLabel cost;
     private final JLabel quartiles;
+    private final JLabel counted;
     private final JLabel error;
     private final JLabel wrong;
     private final JLabel verdict;
@@ -75,7 +75,7 @@ final class StudyInspector {
         view =
                 chooser(
                         "view",
-                        List.of(StudyView.values()).stream().map(StudyView::code).toList(),
+                        List.of(),
                         code -> texts.text("view." + code),
                         code ->
                                 model.show(
@@ -97,6 +97,7 @@ final class StudyInspector {
         column.heading("heading.chosen");
         cost = column.value("cost");
         quartiles = column.value("quartiles");
+        counted = column.value("counted");
         error = column.value("error");
         verdict = column.value("verdict");
         recorded = column.value("recorded");
@@ -147,10 +148,16 @@ final class StudyInspector {
         StudyLabState state = model.state();
         topic.show(state.topic().name());
         topic.setToolTipText(called.topic(state.topic().name()));
-        view.show(state.view().code());
+        view.offer(
+                StudyView.of(state.topic()).stream().map(StudyView::code).toList(),
+                state.view().code());
         pace.show(state.thorough() ? "thorough" : "quick");
-        boolean chart = state.view() == StudyView.CHART;
-        for (JComponent one : List.of(cost, quartiles, error)) column.showRow(one, chart);
+        boolean chart = state.view().isChart();
+        boolean timed = state.view() == StudyView.CHART;
+        column.showRow(cost, timed);
+        column.showRow(quartiles, timed);
+        column.showRow(counted, chart && !timed);
+        column.showRow(error, chart);
         showLevels(state);
         column.showRow(recorded, !chart);
         open.setVisible(!chart);
@@ -165,14 +172,17 @@ final class StudyInspector {
 
     /** Shows the workloads that were measured, in the study's order. */
     private void showLevels(StudyLabState state) {
-        Optional<String> shown =
-                state.shownLevel().filter(level -> state.view() == StudyView.CHART);
+        Optional<String> shown = state.shownLevel().filter(level -> state.view().isChart());
         column.showRow(workload, shown.isPresent());
-        shown.ifPresent(level -> workload.offer(levels(state.study().orElseThrow()), level));
+        shown.ifPresent(level -> workload.offer(levels(state.shownStudy().orElseThrow()), level));
     }
 
     private static List<String> levels(Study study) {
-        return study.measurements().stream().map(Measurement::workload).distinct().toList();
+        return study.measurements().stream()
+                .filter(one -> one.cost().timed())
+                .map(Measurement::workload)
+                .distinct()
+                .toList();
     }
 
     private String notTimed(Study study) {
@@ -196,6 +206,14 @@ final class StudyInspector {
                                                 "nanos.between",
                                                 number(one.cost().lowNanos()),
                                                 number(one.cost().highNanos())))
+                        .orElse("–"));
+        counted.setText(
+                point.map(
+                                one ->
+                                        texts.text(
+                                                "count",
+                                                number(one.cost().medianNanos()),
+                                                words.item(state.shownStudy().orElseThrow())))
                         .orElse("–"));
         error.setText(point.map(one -> error(state.study().orElseThrow(), one)).orElse("–"));
         verdict.setText(point.map(one -> texts.text("verdict." + one.kind().code())).orElse("–"));

@@ -9,9 +9,11 @@ final class StudyLabCommand {
     static String of(StudyLabState state, Language language) {
         String topic = state.topic().name();
         if (state.view() == StudyView.HAZARDS) return "./lab hazards " + topic;
-        return "./lab study %s%s%s --out study-%s.svg"
+        StudyCost cost = state.view().cost().orElseThrow();
+        return "./lab study %s%s%s%s --out study-%s.svg"
                 .formatted(
                         topic,
+                        cost == StudyCost.TIME ? "" : " --cost " + cost.code(),
                         state.thorough() ? "" : " --quick",
                         language == Language.RUSSIAN ? " --lang ru" : "",
                         topic);

@@ -107,7 +107,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         return new StudyLabState(
                 own.listing(topic),
                 thorough,
-                view,
+                view.isPossible(topic) ? view : StudyView.CHART,
                 Optional.ofNullable(studies.get(topic.name())),
                 verdicts.getOrDefault(topic.name(), List.of()),
                 "",
@@ -217,8 +217,10 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         publish(state.withThorough(thorough));
     }
 
+    /** Shows that view of the topic, if there is such. */
     public void show(StudyView view) {
-        if (view != state.view()) publish(state.with(view));
+        if (view != state.view() && view.isPossible(plain(state.topic().name())))
+            publish(state.with(view));
     }
 
     /** Shows the chart of what was measured elsewhere. */

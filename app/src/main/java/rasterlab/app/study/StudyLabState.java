@@ -36,14 +36,22 @@ public record StudyLabState(
         cells = List.copyOf(cells);
     }
 
+    /** The study with the cost that is charted; as it was measured where none is. */
+    Optional<Study> shownStudy() {
+        return study.map(view.cost().orElse(StudyCost.TIME)::of);
+    }
+
     /** Name of the workload that the chart shows; empty where there is no chart. */
     Optional<String> shownLevel() {
-        return study.filter(one -> !one.measurements().isEmpty())
+        return shownStudy()
+                .filter(one -> !one.measurements().isEmpty())
                 .map(one -> has(one, level) ? level : ParetoFront.telling(one));
     }
 
     private static boolean has(Study study, String level) {
-        return study.measurements().stream().anyMatch(one -> one.workload().equals(level));
+        return study.measurements().stream()
+                .filter(one -> one.workload().equals(level))
+                .anyMatch(one -> one.cost().timed());
     }
 
     /** The point that is chosen: what is known by now of that method at the level shown. */
@@ -51,7 +59,7 @@ public record StudyLabState(
         return shownLevel()
                 .flatMap(
                         shown ->
-                                study.orElseThrow().measurements().stream()
+                                shownStudy().orElseThrow().measurements().stream()
                                         .filter(one -> one.workload().equals(shown))
                                         .filter(one -> one.method().equals(marked))
                                         .filter(one -> one.cost().timed())

@@ -35,6 +35,7 @@ import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.StudyWork;
 import rasterlab.app.study.chart.TopicNames;
 import rasterlab.app.study.front.FrontChart;
+import rasterlab.app.study.front.StudyPlot;
 import rasterlab.engine.study.Study;
 
 /** Speed and accuracy as the window shows them, in one language. */
@@ -42,6 +43,9 @@ public final class StudyPanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private static final Insets MARGIN = new Insets(2, 10, 2, 10);
+
+    /** The card of all charts. */
+    private static final String CHARTS = "charts";
 
     private final transient StudyLabModel model;
     private final transient OpenInLab lab;
@@ -92,7 +96,7 @@ public final class StudyPanel extends LabPanel {
                 new ShownPicture("study", this::dots, this::svg, Runnable::run), onFailure);
         actions.addCopy("copyCommand", told -> told.accept(command()));
         stage.setName("stage");
-        stage.add(chart, StudyView.CHART.code());
+        stage.add(chart, CHARTS);
         stage.add(table.scroll(), StudyView.HAZARDS.code());
         var layout = new LabLayout(bar(), stage, inspector.column(), actions, timeline());
         guide = layout.guide().dock();
@@ -129,7 +133,7 @@ public final class StudyPanel extends LabPanel {
     /** Gives the keyboard to the chart or the table, whichever is shown. */
     @Override
     public void focusPicture() {
-        if (model.state().view() == StudyView.CHART) chart.requestFocusInWindow();
+        if (model.state().view().isChart()) chart.requestFocusInWindow();
         else table.requestFocusInWindow();
     }
 
@@ -141,7 +145,7 @@ public final class StudyPanel extends LabPanel {
     }
 
     private void measure() {
-        model.show(StudyView.CHART);
+        if (!model.state().view().isChart()) model.show(StudyView.CHART);
         model.measure();
     }
 
@@ -169,11 +173,16 @@ public final class StudyPanel extends LabPanel {
 
     private SvgDrawing svg() {
         if (model.state().view() == StudyView.HAZARDS) return table.svg();
-        Study study = model.state().study().orElseThrow();
+        Study study = model.state().shownStudy().orElseThrow();
         String level = model.state().shownLevel().orElseThrow();
         ChartLook paper = ChartLook.PAPER;
-        var front = new FrontChart(study, level, words, paper);
+        StudyWords said = cost().words(texts.language());
+        var front = new FrontChart(study, level, said, paper);
         return () -> new String(front.svg(paper), StandardCharsets.UTF_8);
+    }
+
+    private StudyCost cost() {
+        return model.state().view().cost().orElseThrow();
     }
 
     private String command() {
@@ -191,10 +200,11 @@ public final class StudyPanel extends LabPanel {
     }
 
     private void write(Study study, Path file) {
+        StudyCost cost = cost();
         writing.write(
                 texts.text("save.title"),
                 () -> {
-                    StudyFile.write(study, file, texts.language());
+                    StudyFile.write(study, StudyPlot.FRONT, cost, file, texts.language());
                     return file;
                 },
                 done -> {});
@@ -205,11 +215,11 @@ public final class StudyPanel extends LabPanel {
         StudyLabState state = model.state();
         runButtons.refresh(state.work().running());
         boolean drawn = state.study().isPresent() || state.view() == StudyView.HAZARDS;
-        save.setEnabled(state.study().isPresent() && state.view() == StudyView.CHART);
+        save.setEnabled(state.study().isPresent() && state.view().isChart());
         actions.enable("savePicture", drawn);
         actions.enable("copyPicture", drawn);
         actions.enable("copySvg", drawn);
-        cards.show(stage, state.view().code());
+        cards.show(stage, state.view().isChart() ? CHARTS : state.view().code());
         chart.refresh();
         table.refresh();
         inspector.refresh();
@@ -244,7 +254,7 @@ public final class StudyPanel extends LabPanel {
         String why = Complaints.translated(texts.language(), work.on());
         if (work.kind() == StudyWork.Kind.NOT_KEPT) return texts.text("progress.notKept", why);
         if (work.kind() == StudyWork.Kind.NOT_READ) return texts.text("progress.notRead", why);
-        if (state.view() == StudyView.CHART)
+        if (state.view().isChart())
             return model.shippedStudy()
                     .map(words::shipped)
                     .or(() -> state.study().map(this::measured))

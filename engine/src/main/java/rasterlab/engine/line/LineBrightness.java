@@ -17,6 +17,9 @@ import rasterlab.engine.range.Bounds;
 public record LineBrightness(long light, long length, double degrees) {
     private static final int BAND = 15;
 
+    /** Begins the names of the counts. */
+    static final String LEVELS = "levels of ";
+
     public LineBrightness {
         Bounds.require("degrees", degrees, 0, 45);
     }
@@ -47,7 +50,7 @@ public record LineBrightness(long light, long length, double degrees) {
     void addTo(Map<String, Long> counts) {
         int from = Math.min((int) (degrees / BAND), 2) * BAND;
         String band = " at " + from + "–" + (from + BAND) + "°";
-        counts.merge("levels of light" + band, light, Long::sum);
-        counts.merge("levels of length" + band, length, Long::sum);
+        counts.merge(LEVELS + "light" + band, light, Long::sum);
+        counts.merge(LEVELS + "length" + band, length, Long::sum);
     }
 }

@@ -146,6 +146,12 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
         return counts;
     }
 
+    /** {@inheritDoc} Light and length are none. */
+    @Override
+    public boolean isWork(String count) {
+        return !count.startsWith(LineBrightness.LEVELS);
+    }
+
     @Override
     public PixelRecording exact(Segment segment, int limit) {
         return new ExactLine(segment).record(limit);

@@ -109,6 +109,21 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     }
 
     @Override
+    public boolean isWork(String count) {
+        return other.isWork(count);
+    }
+
+    @Override
+    public String countedPer() {
+        return other.countedPer();
+    }
+
+    @Override
+    public Optional<String> parts() {
+        return other.parts();
+    }
+
+    @Override
     public int mostItems() {
         return other.mostItems();
     }

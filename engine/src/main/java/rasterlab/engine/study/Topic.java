@@ -157,6 +157,31 @@ public interface Topic<C, I, O> {
     }
 
     /**
+     * Whether a count of {@link #operations} is work; others are measures of the answer.
+     *
+     * @param count its name
+     */
+    default boolean isWork(String count) {
+        return true;
+    }
+
+    /**
+     * The thing that counted operations are told per, in the singular: the item, but one input
+     * where methods choose how many items their answer has.
+     */
+    default String countedPer() {
+        return item();
+    }
+
+    /**
+     * The name of the count that says of how many parts an answer is made, where methods choose
+     * that; empty where they do not.
+     */
+    default Optional<String> parts() {
+        return Optional.empty();
+    }
+
+    /**
      * The most items of {@link #exactPart}; a longer one is cut there and compared by its
      * beginning, which only serves where all methods produce their items in one order.
      */

@@ -6,6 +6,7 @@ import java.util.stream.Collectors;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.StudyCost;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Ranking;
 import rasterlab.engine.study.Study;
@@ -15,11 +16,20 @@ import rasterlab.engine.study.measuring.PaceComparison;
 /** The order of a study's methods at each workload, as far as it can be told, as lines of text. */
 final class RankingText {
     private final Study study;
+    private final StudyCost cost;
     private final Texts texts;
     private final StudyWords words;
 
     RankingText(Study study, ReportLanguage language) {
+        this(study, StudyCost.TIME, language);
+    }
+
+    /**
+     * @param study with such costs
+     */
+    RankingText(Study study, StudyCost cost, ReportLanguage language) {
         this.study = study;
+        this.cost = cost;
         texts = language.texts();
         words = new StudyWords(language.inWindow());
     }
@@ -30,13 +40,13 @@ final class RankingText {
                 Ranking.all(study).stream().filter(one -> one.places().size() > 1).toList();
         if (rankings.isEmpty()) return lines;
         lines.add("");
-        boolean timed = study.circumstances().isPresent();
+        boolean timed = cost == StudyCost.TIME;
         String alike = String.valueOf(Math.round(100 * (PaceComparison.LEAST_GAP - 1)));
         add(
                 lines,
                 timed
                         ? texts.text("rank.title", alike)
-                        : texts.text("rank.counted", words.item(study)));
+                        : texts.text("rank." + cost.code(), words.item(study)));
         for (Ranking ranking : rankings)
             add(
                     lines,

@@ -19,8 +19,8 @@ import rasterlab.app.findings.Findings;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.app.study.CountedStudy;
 import rasterlab.app.study.ShippedStudies;
+import rasterlab.app.study.StudyCost;
 import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.StudyProgress;
 import rasterlab.app.study.front.StudyPlot;
@@ -55,9 +55,6 @@ import rasterlab.engine.study.Topic;
             "         ./lab study --all --quick --out findings"
         })
 public final class StudyCommand implements Callable<Integer> {
-    private static final String TIME = "time";
-    private static final String OPERATIONS = "operations";
-
     /** A day, in seconds: nobody waits longer. */
     private static final double LONGEST = 86_400;
 
@@ -121,10 +118,12 @@ public final class StudyCommand implements Callable<Integer> {
 
     @Option(
             names = "--cost",
-            paramLabel = "time|operations",
+            paramLabel = "time|operations|parts",
             description =
-                    "what the chart shows and rows are sorted by; operations are counted, free of noise")
-    private String cost = TIME;
+                    "what the chart shows and rows are sorted by; operations are counted, free of"
+                            + " noise; parts are what answers are made of, where methods choose how"
+                            + " many: the segments of a curve")
+    private String cost = StudyCost.TIME.code();
 
     @Option(
             names = "--chart",
@@ -153,7 +152,7 @@ public final class StudyCommand implements Callable<Integer> {
             WholeFile.requireWritable(file);
         }
         StudySettings settings = settings();
-        boolean counted = isCounted(chosen);
+        StudyCost shownCost = cost(chosen);
         StudyPlot plot = plot();
         try (var stop = new StopRequest()) {
             Study study = measured(chosen, settings, stop);
@@ -161,10 +160,11 @@ public final class StudyCommand implements Callable<Integer> {
             (wide ? table.wide() : table.narrow()).forEach(console.out()::println);
             OwnSource.refusals(study, console.language().inWindow())
                     .forEach(console.out()::println);
-            Study shown = counted ? CountedStudy.of(study) : study;
-            new RankingText(shown, console.language()).lines().forEach(console.out()::println);
+            new RankingText(shownCost.of(study), shownCost, console.language())
+                    .lines()
+                    .forEach(console.out()::println);
             for (Path file : files) {
-                StudyFile.write(study, plot, counted, file, console.language().inWindow());
+                StudyFile.write(study, plot, shownCost, file, console.language().inWindow());
                 console.tell("wrote", file.toString());
             }
             console.out().flush();
@@ -252,13 +252,26 @@ public final class StudyCommand implements Callable<Integer> {
                         () -> Complaint.badInput(Named.unknown("chart", chart, StudyPlot.codes())));
     }
 
-    private boolean isCounted(Topic<?, ?, ?> chosen) {
-        if (cost.equals(TIME)) return false;
-        if (!cost.equals(OPERATIONS))
-            throw Complaint.badInput("--cost must be time or operations, got '" + cost + "'");
-        if (!CountedStudy.isPossible(chosen))
-            throw Complaint.badInput("nothing is counted in topic '" + chosen.name() + "'");
-        return true;
+    private StudyCost cost(Topic<?, ?, ?> chosen) {
+        StudyCost named =
+                Stream.of(StudyCost.values())
+                        .filter(one -> one.code().equals(cost))
+                        .findFirst()
+                        .orElseThrow(
+                                () ->
+                                        Complaint.badInput(
+                                                "--cost must be one of "
+                                                        + String.join(", ", StudyCost.codes())
+                                                        + ", got '"
+                                                        + cost
+                                                        + "'"));
+        if (named.isPossible(chosen)) return named;
+        throw Complaint.badInput(
+                named == StudyCost.PARTS
+                        ? "no method chooses of how many parts an answer is made in topic '"
+                                + chosen.name()
+                                + "'"
+                        : "nothing is counted in topic '" + chosen.name() + "'");
     }
 
     private Study measured(Topic<?, ?, ?> chosen, StudySettings settings, StopRequest stop) {

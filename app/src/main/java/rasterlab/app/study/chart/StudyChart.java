@@ -45,11 +45,7 @@ public final class StudyChart {
         note.paint(graphics, paper.note(), height);
     }
 
-    static XYChart chart(Study study, StudyWords words) {
-        return chart(study, words, ChartLook.PAPER);
-    }
-
-    private static XYChart chart(Study study, StudyWords words, ChartLook paper) {
+    static XYChart chart(Study study, StudyWords words, ChartLook paper) {
         var costs = CostAxis.over(points(study));
         var errors = ErrorAxis.over(points(study));
         var sizes = new SizeLabels(paper.ground());

@@ -26,6 +26,7 @@ import rasterlab.engine.study.measuring.Machine;
 
 /** The words of a chart or a table of a study, in one language. */
 public final class StudyWords {
+    private static final String TIMED = "chart.cost";
     private static final String RATIO = "chart.ratio";
 
     /** The most methods that are named one by one. */
@@ -38,7 +39,7 @@ public final class StudyWords {
     private final String costKey;
 
     public StudyWords(Language language) {
-        this(language, "chart.cost");
+        this(language, TIMED);
     }
 
     private StudyWords(Language language, String costKey) {
@@ -51,6 +52,11 @@ public final class StudyWords {
     /** The words of a chart whose costs were counted, not timed. */
     public static StudyWords ofCounts(Language language) {
         return new StudyWords(language, "chart.counted");
+    }
+
+    /** The words of a chart whose costs are the parts that answers are made of. */
+    public static StudyWords ofParts(Language language) {
+        return new StudyWords(language, "chart.parts");
     }
 
     /** The words of a chart whose costs are multiples of a reference's time. */
@@ -72,7 +78,9 @@ public final class StudyWords {
      * The unit that is counted, as it stands behind "per"; in English where it has no translation.
      */
     public String item(Study study) {
-        return own(study).textOr("item", texts.textOr(itemKey(study.item()), study.item()));
+        String plain = texts.textOr(itemKey(study.item()), study.item());
+        boolean usual = study.item().equals(Topics.named(study.topic()).item());
+        return usual ? own(study).textOr("item", plain) : plain;
     }
 
     /** Unit of the error; in English where it has no translation. */
@@ -177,9 +185,14 @@ public final class StudyWords {
         if (!leftOut.isEmpty()) notes.add(leftOut + ".");
         if (level.measurements().stream().anyMatch(StudyWords::hasNoNumber))
             notes.add(texts.text("front.notRight.note", withoutNumber(level)));
-        notes.add(texts.text(costKey.equals(RATIO) ? "front.note.brief" : "front.note"));
+        notes.add(texts.text(frontNoteKey()));
         measuredOn(study).ifPresent(notes::add);
         return String.join(" ", notes);
+    }
+
+    private String frontNoteKey() {
+        if (costKey.equals(TIMED)) return "front.note";
+        return costKey.equals(RATIO) ? "front.note.brief" : "front.note.counted";
     }
 
     /**
@@ -340,7 +353,7 @@ public final class StudyWords {
     }
 
     public String costPerInput(Study study) {
-        return texts.text(costKey.equals("chart.cost") ? "growth.nanos" : "growth.operations");
+        return texts.text(costKey.equals(TIMED) ? "growth.nanos" : "growth.operations");
     }
 
     /** A power of the size n. */

@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.study.CountedStudy;
+import rasterlab.app.study.StudyCost;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
@@ -96,7 +97,8 @@ class RankingTextTest {
     @Test
     void countedOperationsAreInOrderWithoutNoise() {
         Study counted = CountedStudy.of(study(BUSY, true));
-        List<String> lines = new RankingText(counted, ReportLanguage.EN).lines();
+        List<String> lines =
+                new RankingText(counted, StudyCost.OPERATIONS, ReportLanguage.EN).lines();
         assertEquals("w: dda 4.000 = wu 4.000 < naive 6.000", lines.get(lines.size() - 1));
     }
 }

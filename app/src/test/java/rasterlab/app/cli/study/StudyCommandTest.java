@@ -288,7 +288,18 @@ class StudyCommandTest {
                         "./lab study: no chart 'pie'; there are front, sizes, cost-growth,"
                                 + " error-growth, error-by-input");
         Ran.lab("study", "line", "--cost", "money")
-                .assertComplains(2, "./lab study: --cost must be time or operations, got 'money'");
+                .assertComplains(
+                        2,
+                        "./lab study: --cost must be one of time, operations, parts, got 'money'");
+        Ran.lab("study", "line", "--cost", "parts")
+                .assertComplains(
+                        2,
+                        "./lab study: no method chooses of how many parts an answer is made in"
+                                + " topic 'line'");
+        Ran.lab("study", "matrix", "--cost", "operations")
+                .assertComplains(2, "./lab study: nothing is counted in topic 'matrix'");
+        Ran.lab("study", "--ship", "anywhere")
+                .assertComplains(2, "./lab study: --ship DIR needs TOPIC or --all");
     }
 
     @Test

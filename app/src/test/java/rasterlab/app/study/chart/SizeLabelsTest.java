@@ -68,7 +68,7 @@ class SizeLabelsTest {
                                 Math.pow(10, 2 * random.nextDouble()),
                                 random.nextInt(3) == 0 ? 0 : Math.pow(10, random.nextDouble())));
         var study = new Study("line", "pixel", "pixels", points);
-        XYChart chart = StudyChart.chart(study, new StudyWords(Language.ENGLISH));
+        XYChart chart = StudyChart.chart(study, new StudyWords(Language.ENGLISH), ChartLook.PAPER);
         var places = new PointPlaces(points);
         chart.addAnnotation(places);
         String svg = SvgPicture.of(1000, 700, g -> chart.paint(g, 1000, 700)).document();
@@ -105,7 +105,8 @@ class SizeLabelsTest {
         XYChart chart =
                 StudyChart.chart(
                         new Study("line", "pixel", "pixels", points),
-                        new StudyWords(Language.ENGLISH));
+                        new StudyWords(Language.ENGLISH),
+                        ChartLook.PAPER);
         var edges = new Edges(ErrorAxis.over(points));
         chart.addAnnotation(edges);
         String svg = SvgPicture.of(1000, 700, g -> chart.paint(g, 1000, 700)).document();

@@ -77,7 +77,8 @@ class StudyChartTest {
         assertFalse(has(drawn, Color.WHITE.getRGB()), "white on dark");
         String svg = svg(study);
         assertEquals(2, svg.split(">dda<", -1).length, "named once");
-        assertFalse(StudyChart.chart(study, ENGLISH).getStyler().isLegendVisible());
+        assertFalse(
+                StudyChart.chart(study, ENGLISH, ChartLook.PAPER).getStyler().isLegendVisible());
     }
 
     @Test
@@ -207,7 +208,7 @@ class StudyChartTest {
                                 measured("flat-4-px", 10),
                                 measured("steps-16", 16),
                                 measured("flat-64th-px", 20)));
-        XYChart chart = StudyChart.chart(study, new StudyWords(Language.ENGLISH));
+        XYChart chart = StudyChart.chart(study, new StudyWords(Language.ENGLISH), ChartLook.PAPER);
         assertEquals(
                 List.of(2, 1),
                 chart.getSeriesCollection().stream().map(line -> line.getXData().length).toList());
@@ -286,7 +287,7 @@ class StudyChartTest {
         var texts = Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<").matcher(svg);
         List<String> english = texts.results().map(found -> found.group(1).strip()).toList();
         assertEquals(List.of("Не измерено: dda (отказ: 16, 64; сбой: 256)"), english, "but a name");
-        XYChart chart = StudyChart.chart(study, words);
+        XYChart chart = StudyChart.chart(study, words, ChartLook.PAPER);
         assertEquals("Скорость и точность: отрезок", chart.getTitle());
         assertTrue(chart.getXAxisTitle().startsWith("время: наносекунд на пиксель"));
         assertEquals("наибольшая ошибка [пиксели]", chart.getYAxisTitle());

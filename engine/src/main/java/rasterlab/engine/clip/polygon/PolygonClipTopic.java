@@ -28,6 +28,8 @@ import rasterlab.engine.study.Workload;
 public final class PolygonClipTopic
         implements Topic<PolygonClipper, PolygonInWindow, List<double[]>> {
     private static final int MOST_ITEMS = 1_000_000;
+    private static final String PIECES = "pieces";
+    private static final String CORNERS_LEFT = "corners left";
 
     static final double RIGHT_SHARE = 1e-12;
     private static final double USABLE_SHARE = 1e-6;
@@ -133,9 +135,14 @@ public final class PolygonClipTopic
         counts.put("side tests", walk.sideTests());
         counts.put("divisions", walk.divisions());
         counts.put("unrounded crossings", walk.unroundedCrossings());
-        walk.send(piece -> counts.merge("pieces", 1L, Long::sum));
-        walk.send(piece -> counts.merge("corners left", piece.length / 2L, Long::sum));
+        walk.send(piece -> counts.merge(PIECES, 1L, Long::sum));
+        walk.send(piece -> counts.merge(CORNERS_LEFT, piece.length / 2L, Long::sum));
         return counts;
+    }
+
+    @Override
+    public boolean isWork(String count) {
+        return !count.equals(PIECES) && !count.equals(CORNERS_LEFT);
     }
 
     /** {@inheritDoc} Methods answer in different orders, so no answer is cut. */

@@ -24,6 +24,8 @@ import rasterlab.engine.transform.Images;
  * about 1°, which moves a diffuse intensity by at most 5 of 255 levels.
  */
 public final class NormalsTopic implements Topic<VertexNormals, TriangleSurface, Images> {
+    private static final String LEFT_OUT = "faces left out";
+
     private static final double CORRECT = 1e-12;
     private static final double USABLE = 0.02;
 
@@ -134,7 +136,12 @@ public final class NormalsTopic implements Topic<VertexNormals, TriangleSurface,
         NormalsWalk walk = stepped.walk(surface.vertices(), surface.triangles());
         long added = 0;
         while (walk.advance()) added++;
-        return Map.of("normals added", added, "faces left out", (long) walk.leftOut());
+        return Map.of("normals added", added, LEFT_OUT, (long) walk.leftOut());
+    }
+
+    @Override
+    public boolean isWork(String count) {
+        return !count.equals(LEFT_OUT);
     }
 
     @Override

@@ -2,6 +2,7 @@ package rasterlab.engine.spline.curve;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 import rasterlab.contract.CurveTracer;
@@ -34,6 +35,7 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     /** Chords of the reference for each that the control polygon's length could ask for. */
     private static final int DENSER = 16;
 
+    private static final String SEGMENTS = "segments";
     private static final int FEWEST = 256;
     private static final int MOST = 16_000;
 
@@ -173,7 +175,18 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
         CurveWalk walk = stepped.walk(task.curve(), task.flatness());
         long points = 0;
         while (walk.advance()) points++;
-        return Map.of("segments", points - 1, "splits", walk.splits());
+        return Map.of(SEGMENTS, points - 1, "splits", walk.splits());
+    }
+
+    /** {@inheritDoc} Fewer points for the same curve are the better answer. */
+    @Override
+    public String countedPer() {
+        return "curve";
+    }
+
+    @Override
+    public Optional<String> parts() {
+        return Optional.of(SEGMENTS);
     }
 
     @Override

@@ -166,6 +166,12 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
         return Map.of("cells", (long) cells.length, "cells-not-0-or-1", computed);
     }
 
+    /** {@inheritDoc} Cells are counted in the answer, not in the work. */
+    @Override
+    public boolean isWork(String count) {
+        return false;
+    }
+
     @Override
     public String item() {
         return "matrix";
