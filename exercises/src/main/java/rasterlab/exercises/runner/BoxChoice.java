@@ -13,31 +13,42 @@ import rasterlab.exercises.runner.Isolation.ProcessLimit;
 import rasterlab.exercises.runner.process.Child;
 import rasterlab.exercises.runner.process.ChildJars;
 import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.ControlGroups;
+import rasterlab.exercises.runner.process.ControlGroups.FoundGroups;
 import rasterlab.exercises.runner.process.Launcher;
 import rasterlab.exercises.runner.process.LimitCheck;
 import rasterlab.exercises.runner.process.Programs;
 import rasterlab.exercises.runner.process.Request;
 import rasterlab.exercises.runner.process.SystemAccount;
 import rasterlab.exercises.runner.process.SystemCallFilter;
+import rasterlab.exercises.runner.process.TimeLimit;
+import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Message;
 
 /** Finds the strongest box that works on this machine by trying it once. */
 final class BoxChoice {
+    /** Long enough for a machine on which many programs start at once. */
+    private static final Duration PATIENCE = Duration.ofMinutes(1);
+
     private final Launcher launcher;
     private final ChildJars jars;
     private final Duration limit;
+    private ChildJava java;
+    private FoundGroups groups;
 
     /**
      * @param limit how long the box's program may take for one answer
      */
-    BoxChoice(Launcher launcher, ChildJars jars, Duration limit) {
+    BoxChoice(Launcher launcher, ChildJars jars, ChildJava java, Duration limit) {
         this.launcher = launcher;
         this.jars = jars;
+        this.java = java;
+        this.groups = new FoundGroups(Optional.empty(), Message.NONE);
         this.limit = limit;
     }
 
-    static BoxChoice on(Launcher launcher, ChildJars jars) {
-        return new BoxChoice(launcher, jars, Duration.ofSeconds(10));
+    static BoxChoice on(Launcher launcher, ChildJars jars, ChildJava java) {
+        return new BoxChoice(launcher, jars, java, PATIENCE);
     }
 
     Box choose(JudgeSettings.Protection wanted) {
@@ -63,32 +74,47 @@ final class BoxChoice {
         }
     }
 
-    /** The strongest that answers: without the filter before without any limit. */
+    /** One that answers, on an image of Java before on the running JDK. */
     private Box tried(String program, String version, boolean canDisable) {
+        groups = ControlGroups.find();
+        Tried found = onThisJava(program, version, canDisable);
+        if (found.box().isEmpty() && java.isImage()) {
+            java = java.without(found.fault());
+            found = onThisJava(program, version, canDisable);
+        }
+        String fault = found.fault();
+        return found.box().orElseGet(() -> plain("isolation.bwrap-fails", fault));
+    }
+
+    /** A box that answers, or why none does. */
+    private record Tried(Optional<Box> box, String fault) {}
+
+    /** The strongest that answers: without the filter before without any limit. */
+    private Tried onThisJava(String program, String version, boolean canDisable) {
         Optional<String> fault = Optional.empty();
         for (boolean filtered : filters())
-            for (ProcessLimit limit : limits()) {
+            for (ProcessLimit most : limits()) {
                 List<Message> faults = new ArrayList<>();
                 if (!canDisable) faults.add(Message.of("isolation.no-userns-off"));
                 if (!filtered) faults.add(Message.of("isolation.no-filter"));
-                fault =
-                        selfTest(
-                                new BubblewrapBox(
-                                        program,
-                                        version,
-                                        canDisable,
-                                        limit,
-                                        filtered,
-                                        faults,
-                                        jars),
-                                limit,
-                                filtered,
-                                faults);
-                if (fault.isEmpty())
-                    return new BubblewrapBox(
-                            program, version, canDisable, limit, filtered, faults, jars);
+                fault = selfTest(box(program, version, canDisable, most, filtered, faults), faults);
+                if (fault.isEmpty()) {
+                    Box works = box(program, version, canDisable, most, filtered, faults);
+                    return new Tried(Optional.of(works), "");
+                }
             }
-        return plain("isolation.bwrap-fails", fault.orElseThrow());
+        return new Tried(Optional.empty(), fault.orElseThrow());
+    }
+
+    private BubblewrapBox box(
+            String program,
+            String version,
+            boolean canDisable,
+            ProcessLimit most,
+            boolean filtered,
+            List<Message> faults) {
+        return new BubblewrapBox(
+                program, version, canDisable, most, filtered, faults, jars, java, groups);
     }
 
     private static List<Boolean> filters() {
@@ -108,25 +134,32 @@ final class BoxChoice {
     }
 
     private Box plain(String reason, Object... arguments) {
-        return new PlainBox(jars, Message.of(reason, arguments));
+        return new PlainBox(jars, java, Message.of(reason, arguments));
     }
 
     /**
-     * Why a child in the box does not answer; empty when it does.
+     * Why a child in the box does not answer; empty when one of each kind does.
      *
      * @param faults takes up what does not hold for one that answers
      */
-    private Optional<String> selfTest(
-            Box box, ProcessLimit limited, boolean filtered, List<Message> faults) {
-        try (Child child =
-                new Child(launcher.start(box.command(ChildKind.RUN, false)), box.nested())) {
+    private Optional<String> selfTest(BubblewrapBox box, List<Message> faults) {
+        Optional<String> fault = selfTest(box, ChildKind.RUN, faults);
+        if (fault.isPresent() || !java.isImage()) return fault;
+        return selfTest(box, ChildKind.COMPILE, new ArrayList<>());
+    }
+
+    private Optional<String> selfTest(BubblewrapBox box, ChildKind kind, List<Message> faults) {
+        try (Child child = box.start(launcher, kind, false)) {
             try {
+                if (kind == ChildKind.COMPILE) return compileFault(child);
                 child.ask(new Request(Wire.PING, out -> {}), limit, (status, payload) -> status);
-                if (limited != ProcessLimit.NO_PRLIMIT)
-                    LimitCheck.fault(child.handle(), limited != ProcessLimit.TOO_LOW)
+                if (box.limit() != ProcessLimit.NO_PRLIMIT)
+                    LimitCheck.fault(child.handle(), box.limit() != ProcessLimit.TOO_LOW)
                             .map(what -> Message.of("isolation.limit-fails", what))
                             .ifPresent(faults::add);
-                if (filtered && !SystemCallFilter.holdsBelow(child.handle()))
+                if (!child.isInItsGroup())
+                    faults.add(Message.of("isolation.groups-fail", "cgroup.procs"));
+                if (box.isFiltered() && !SystemCallFilter.holdsBelow(child.handle()))
                     faults.add(Message.of("isolation.no-filter"));
                 return Optional.empty();
             } catch (ChildLost lost) {
@@ -138,6 +171,12 @@ final class BoxChoice {
                 throw interrupted(e);
             }
         }
+    }
+
+    private Optional<String> compileFault(Child child) throws ChildLost, InterruptedException {
+        return Compilation.of("final class Mine {}", child, TimeLimit.wall(limit)).errors().stream()
+                .findFirst()
+                .map(Diagnostic::message);
     }
 
     /**

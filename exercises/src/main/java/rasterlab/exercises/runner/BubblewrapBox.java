@@ -6,19 +6,25 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
+import rasterlab.exercises.runner.process.Child;
 import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.ControlGroup;
+import rasterlab.exercises.runner.process.ControlGroups.FoundGroups;
+import rasterlab.exercises.runner.process.Launcher;
 import rasterlab.exercises.runner.process.Programs;
 import rasterlab.exercises.score.Message;
 
 /**
- * Linux namespaces by bubblewrap: the child sees a read-only root that holds the JDK, the system
+ * Linux namespaces by bubblewrap: the child sees a read-only root that holds its Java, the system
  * libraries and two jars; no network, no other process, not even its own in /proc, because none is
  * mounted.
  */
 final class BubblewrapBox implements Box {
     private static final String HARNESS = "/box/harness.jar";
     private static final String CONTRACT = "/box/contract.jar";
+    private static final Path IMAGE = Path.of("/java");
     private static final String SHELL = "/bin/sh";
     private static final String FILTER_DESCRIPTOR = "9";
     private static final String OPEN_AND_RUN = "exec \"$@\" " + FILTER_DESCRIPTOR + "<\"$0\"";
@@ -30,6 +36,8 @@ final class BubblewrapBox implements Box {
     private final Isolation.ProcessLimit limit;
     private final boolean filtered;
     private final ChildJars jars;
+    private final ChildJava java;
+    private final FoundGroups groups;
     private final Isolation isolation;
 
     /**
@@ -39,6 +47,7 @@ final class BubblewrapBox implements Box {
      * @param limit on the number of processes; set unless it would be too low
      * @param filtered whether the kernel filters the system calls
      * @param faults what was found not to hold
+     * @param groups in which children run; none where they run in this process's own
      */
     BubblewrapBox(
             String program,
@@ -47,13 +56,21 @@ final class BubblewrapBox implements Box {
             Isolation.ProcessLimit limit,
             boolean filtered,
             List<Message> faults,
-            ChildJars jars) {
+            ChildJars jars,
+            ChildJava java,
+            FoundGroups groups) {
         this.limit = limit;
         this.filtered = filtered;
         this.program = program;
         this.canDisableUserNamespaces = canDisableUserNamespaces;
         this.jars = jars;
-        this.isolation = Isolation.bubblewrap(version, limit, faults);
+        this.java = java;
+        this.groups = groups;
+        List<Message> lacking = new ArrayList<>();
+        for (Message one : List.of(java.lacking(), groups.lacking()))
+            if (!one.isEmpty()) lacking.add(one);
+        lacking.addAll(faults);
+        this.isolation = Isolation.bubblewrap(version, limit, java.isImage(), lacking);
     }
 
     @Override
@@ -61,9 +78,36 @@ final class BubblewrapBox implements Box {
         return isolation;
     }
 
+    /** The limit on the number of processes that it sets. */
+    Isolation.ProcessLimit limit() {
+        return limit;
+    }
+
+    boolean isFiltered() {
+        return filtered;
+    }
+
     @Override
     public boolean nested() {
         return true;
+    }
+
+    @Override
+    public Child start(Launcher launcher, ChildKind kind, boolean warm) {
+        if (groups.groups().isEmpty()) return Box.super.start(launcher, kind, warm);
+        ControlGroup group;
+        try {
+            group = groups.groups().get().make(kind.group());
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot make a control group", e);
+        }
+        try {
+            Process process = launcher.start(group.joined(command(kind, warm)));
+            return new Child(process, true, Optional.of(group));
+        } catch (RuntimeException e) {
+            group.end();
+            throw e;
+        }
     }
 
     @Override
@@ -80,20 +124,23 @@ final class BubblewrapBox implements Box {
         if (filtered) command.addAll(List.of("--seccomp", FILTER_DESCRIPTOR));
         command.add("--clearenv");
         // without /proc the loader cannot ask where java lies, and would not find its libraries
-        Path bin = Path.of(Programs.java()).getParent();
-        command.addAll(List.of("--setenv", "LD_ORIGIN_PATH", bin.toString()));
-        command.addAll(root());
-        command.addAll(List.of("--chdir", "/", "--", Programs.java()));
+        Path home = java.isImage() ? IMAGE : java.home(kind);
+        command.addAll(List.of("--setenv", "LD_ORIGIN_PATH", home.resolve("bin").toString()));
+        command.addAll(root(kind, home));
+        command.addAll(List.of("--chdir", "/", "--", Programs.in(home, "java").toString()));
         command.addAll(kind.arguments(HARNESS, CONTRACT, warm));
         return command;
     }
 
-    private List<String> root() {
+    /**
+     * @param home where the child finds its Java
+     */
+    private List<String> root(ChildKind kind, Path home) {
         List<String> root = new ArrayList<>();
         libraries().forEach(folder -> bind(root, folder.toString(), folder.toString()));
-        String java = Programs.javaHome().toString();
-        bind(root, java, java);
-        linkedOut().forEach(file -> bind(root, file.toString(), file.toString()));
+        bind(root, java.home(kind).toString(), home.toString());
+        if (!java.isImage())
+            linkedOut().forEach(file -> bind(root, file.toString(), file.toString()));
         bind(root, jars.harness().toString(), HARNESS);
         bind(root, jars.contract().toString(), CONTRACT);
         // a fresh /dev has a writable /dev/shm without a limit, and new folders stay writable

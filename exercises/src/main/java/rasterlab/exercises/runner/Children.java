@@ -7,9 +7,12 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.runner.process.Child;
 import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.runner.process.Launcher;
+import rasterlab.exercises.runner.process.Request;
+import rasterlab.exercises.runner.process.TimeLimit;
 import rasterlab.exercises.score.Message;
 
 /**
@@ -18,7 +21,7 @@ import rasterlab.exercises.score.Message;
  */
 final class Children implements AutoCloseable {
     private static final Map<ChildKind, Integer> RESERVE =
-            Map.of(ChildKind.COMPILE, 1, ChildKind.RUN, 2);
+            reserve(Runtime.getRuntime().availableProcessors());
 
     private final Box box;
     private final Launcher launcher;
@@ -26,6 +29,16 @@ final class Children implements AutoCloseable {
     private final Map<ChildKind, Deque<Child>> waiting = new EnumMap<>(ChildKind.class);
     private final Set<Child> started = new HashSet<>();
     private boolean closed;
+
+    /**
+     * How many wait of each kind: one for each core and one more, of which a submission takes one
+     * to compile and the others to run.
+     */
+    static Map<ChildKind, Integer> reserve(int cores) {
+        int compiling = Math.max(1, (cores + 1) / 3);
+        return Map.of(
+                ChildKind.COMPILE, compiling, ChildKind.RUN, Math.max(1, cores + 1 - compiling));
+    }
 
     Children(Box box, Launcher launcher, boolean spares) {
         this.box = box;
@@ -50,6 +63,27 @@ final class Children implements AutoCloseable {
         return start(kind, false);
     }
 
+    /**
+     * A child that nobody used, and that has answered. What ends it from now on is what it is
+     * asked: that one could not start says nothing about a student's method.
+     *
+     * @param limit for its start
+     * @throws ChildLost when it does not answer, as for one that was killed from outside
+     */
+    Child takeReady(ChildKind kind, TimeLimit limit) throws ChildLost, InterruptedException {
+        Child child = take(kind);
+        try {
+            child.ask(new Request(Wire.PING, out -> {}), limit, (status, in) -> status);
+            return child;
+        } catch (ChildLost lost) {
+            child.close();
+            throw new ChildLost(ChildLost.LossReason.KILLED, lost.message());
+        } catch (InterruptedException stopped) {
+            child.close();
+            throw stopped;
+        }
+    }
+
     /** Starts what is missing in the reserve; does not wait until it is ready. */
     synchronized void refill() {
         if (!spares || closed) return;
@@ -66,7 +100,7 @@ final class Children implements AutoCloseable {
 
     private Child start(ChildKind kind, boolean warm) {
         started.removeIf(child -> !child.isAlive());
-        Child child = new Child(launcher.start(box.command(kind, warm)), box.nested());
+        Child child = box.start(launcher, kind, warm);
         started.add(child);
         return child;
     }

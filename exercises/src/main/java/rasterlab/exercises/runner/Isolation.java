@@ -15,23 +15,28 @@ import rasterlab.exercises.score.Report;
  * @param message what it holds and what it lacks, for start-up, log and result page
  * @param missing the layers that are not there, one by one, each by its name
  * @param exam whether it is meant to hold against a determined attacker, so that exams may be
- *     graded; then nothing is missing but {@link #UNPROMISED}
+ *     graded; then nothing is missing
  */
 public record Isolation(String name, Message message, List<Message> missing, boolean exam) {
     private static final String PREFIX = "isolation.";
-
-    /** The layers that are nowhere there yet, and that exams are not promised. */
-    private static final List<Message> UNPROMISED =
-            List.of(Message.of("missing.groups"), Message.of("missing.image"));
 
     public Isolation {
         missing = List.copyOf(missing);
     }
 
-    /** The missing layers that an exam is promised; none where exams may be graded. */
+    /** The missing layers, all of which an exam is promised; none where exams may be graded. */
     public Message missingForExams() {
+        return missingBut(List.of());
+    }
+
+    /** The missing layers before images of Java are asked for, which take a folder to make. */
+    public Message missingBeforeImages() {
+        return missingBut(List.of(Message.of("missing.image-off")));
+    }
+
+    private Message missingBut(List<Message> passedOver) {
         Message all = Message.NONE;
-        for (Message one : missing) if (!UNPROMISED.contains(one)) all = all.and(one);
+        for (Message one : missing) if (!passedOver.contains(one)) all = all.and(one);
         return all;
     }
 
@@ -48,9 +53,11 @@ public record Isolation(String name, Message message, List<Message> missing, boo
     /**
      * Namespaces, a small read-only root, no network, no other processes.
      *
-     * @param faults what was found not to hold, each of which alone rules exams out
+     * @param image whether children run on a Java of the needed modules only
+     * @param faults what is not there or was found not to hold, each of which alone rules exams out
      */
-    static Isolation bubblewrap(String version, ProcessLimit limit, List<Message> faults) {
+    static Isolation bubblewrap(
+            String version, ProcessLimit limit, boolean image, List<Message> faults) {
         Message unlimited =
                 switch (limit) {
                     case HOLDS -> Message.NONE;
@@ -61,11 +68,11 @@ public record Isolation(String name, Message message, List<Message> missing, boo
         List<Message> failures = new ArrayList<>();
         if (!unlimited.isEmpty()) failures.add(unlimited);
         failures.addAll(faults);
-        Message said = Message.of("isolation.box", version).and(Message.of("isolation.without"));
+        Message said = Message.of(image ? "isolation.box" : "isolation.box-jdk", version);
         for (Message one : failures) said = said.and(one);
-        List<Message> missing = new ArrayList<>(UNPROMISED);
+        List<Message> missing = new ArrayList<>();
         for (Message one : failures) missing.addAll(layers(one));
-        boolean exam = limit == ProcessLimit.HOLDS && faults.isEmpty();
+        boolean exam = failures.isEmpty();
         return new Isolation(Report.BUBBLEWRAP, said, missing, exam);
     }
 
@@ -73,12 +80,13 @@ public record Isolation(String name, Message message, List<Message> missing, boo
      * Separate processes and their limits, nothing of the operating system's.
      *
      * @param reason why bubblewrap is not used
+     * @param image why there is no Java image of the needed modules; nothing where there is one
      */
-    static Isolation processLimits(Message reason) {
+    static Isolation processLimits(Message reason, Message image) {
         return new Isolation(
                 Report.PROCESS_LIMITS,
                 Message.of("isolation.plain").and(reason),
-                Stream.of(Message.of("isolation.no-box"), reason)
+                Stream.of(Message.of("isolation.no-box"), reason, image)
                         .flatMap(one -> layers(one).stream())
                         .toList(),
                 false);

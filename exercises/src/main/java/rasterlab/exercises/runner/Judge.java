@@ -89,7 +89,8 @@ public final class Judge implements Grading, AutoCloseable {
         ChildJars jars = ChildJars.assemble();
         Launcher launcher = new Launcher(jars);
         try {
-            Box box = BoxChoice.on(launcher, jars).choose(settings.box());
+            ChildJava java = ChildJava.found(settings, launcher, jars);
+            Box box = BoxChoice.on(launcher, jars, java).choose(settings.box());
             return prepared(new Judge(settings, jars, launcher, box, memory, compiling));
         } catch (RuntimeException cannotStart) {
             launcher.close();
@@ -187,7 +188,6 @@ public final class Judge implements Grading, AutoCloseable {
         return sheet.rejected(GradingVerdict.INTERNAL, List.of(new Diagnostic(0, 0, reason)));
     }
 
-    /** Ends all children and removes what was prepared for them. */
     /**
      * Leaves it to the caller alone to close this judge, also when the program is told to end: what
      * it judges then is not cut off.
@@ -196,6 +196,7 @@ public final class Judge implements Grading, AutoCloseable {
         Runtime.getRuntime().removeShutdownHook(atExit);
     }
 
+    /** Ends all children and removes what was prepared for them. */
     @Override
     public void close() {
         if (!release()) return;

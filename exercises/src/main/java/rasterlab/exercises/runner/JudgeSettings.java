@@ -1,6 +1,8 @@
 package rasterlab.exercises.runner;
 
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Optional;
 
 /**
  * How a {@link Judge} runs children.
@@ -13,6 +15,8 @@ import java.time.Duration;
  *     program that grades once and ends
  * @param speed how speed is measured
  * @param box which protection to look for
+ * @param images folder in which images of Java for children are kept; none where they run on the
+ *     running JDK
  */
 public record JudgeSettings(
         Duration compileLimit,
@@ -20,7 +24,8 @@ public record JudgeSettings(
         Duration runLimit,
         boolean spares,
         Speed speed,
-        Protection box) {
+        Protection box,
+        Optional<Path> images) {
     /** How speed is measured; where nobody asks for its points, that takes time for nothing. */
     public enum Speed {
         /** Speed is measured until times are settled. */
@@ -63,7 +68,8 @@ public record JudgeSettings(
                 Duration.ofSeconds(8),
                 true,
                 Speed.MEASURED,
-                Protection.STRONGEST);
+                Protection.STRONGEST,
+                Optional.empty());
     }
 
     /** The settings without children in reserve: for a program that grades once and ends. */
@@ -72,11 +78,19 @@ public record JudgeSettings(
     }
 
     public JudgeSettings withSpares(boolean wanted) {
-        return new JudgeSettings(compileLimit, callLimit, runLimit, wanted, speed, box);
+        return new JudgeSettings(compileLimit, callLimit, runLimit, wanted, speed, box, images);
     }
 
     public JudgeSettings withSpeed(Speed wanted) {
-        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, wanted, box);
+        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, wanted, box, images);
+    }
+
+    /**
+     * The settings with children on images of Java, which are made there where they are missing.
+     */
+    public JudgeSettings withImages(Path folder) {
+        return new JudgeSettings(
+                compileLimit, callLimit, runLimit, spares, speed, box, Optional.of(folder));
     }
 
     private static void positive(String name, Duration limit) {

@@ -9,11 +9,13 @@ import rasterlab.exercises.score.Message;
 /** A process of its own and the limits that go with it, on every operating system. */
 final class PlainBox implements Box {
     private final ChildJars jars;
+    private final ChildJava java;
     private final Isolation isolation;
 
-    PlainBox(ChildJars jars, Message reason) {
+    PlainBox(ChildJars jars, ChildJava java, Message reason) {
         this.jars = jars;
-        this.isolation = Isolation.processLimits(reason);
+        this.java = java;
+        this.isolation = Isolation.processLimits(reason, java.lacking());
     }
 
     @Override
@@ -29,7 +31,7 @@ final class PlainBox implements Box {
     @Override
     public List<String> command(ChildKind kind, boolean warm) {
         List<String> command = new ArrayList<>(Programs.limits(false));
-        command.add(Programs.java());
+        command.add(java.program(kind));
         command.addAll(kind.arguments(jars.harness().toString(), jars.contract().toString(), warm));
         return command;
     }

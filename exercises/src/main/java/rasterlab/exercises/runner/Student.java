@@ -28,6 +28,9 @@ final class Student implements AutoCloseable, Shrinking.Asking {
             new Exercise.StatedLimits(
                     OptionalInt.empty(), OptionalInt.empty(), Optional.of(Shrinking.MOST_TIME));
 
+    /** Processor time for the start of a child, far more than one needs. */
+    private static final Duration START_LIMIT = Duration.ofSeconds(10);
+
     private final Children children;
     private final JudgeSettings settings;
     private final ContractCalls contract;
@@ -101,7 +104,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
 
     private Optional<Finding> loadOnce() throws ChildLost, InterruptedException {
         close();
-        Child child = children.take(ChildKind.RUN);
+        Child child = children.takeReady(ChildKind.RUN, settings.patience().limit(START_LIMIT));
         StudentRun run = new StudentRun(child, contract, settings.callLimit(), settings.patience());
         loaded = Optional.of(new Loaded(child, run));
         Answer answer = run.load(entry, classes);

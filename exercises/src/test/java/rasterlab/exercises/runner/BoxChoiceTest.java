@@ -56,7 +56,8 @@ class BoxChoiceTest {
         Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwx------"));
         try (ChildJars jars = ChildJars.assemble();
                 Launcher launcher = new Launcher(jars)) {
-            Box box = new BoxChoice(launcher, jars, limit).inBubblewrap(program.toString());
+            BoxChoice choice = new BoxChoice(launcher, jars, ChildJava.running(), limit);
+            Box box = choice.inBubblewrap(program.toString());
             assertEquals("process limits only", box.isolation().name());
             assertTrue(
                     box.isolation().describe("en").contains(said),

@@ -17,6 +17,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.Exercise;
@@ -25,6 +26,7 @@ import rasterlab.exercises.Sources;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.runner.process.ChildJars;
 import rasterlab.exercises.runner.process.Launcher;
+import rasterlab.exercises.runner.process.Programs;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
@@ -150,7 +152,8 @@ class GradingLifeTest {
     void aReserveThatCannotBeFilledTakesNoReportAway() throws Exception {
         ChildJars jars = ChildJars.assemble();
         Launcher launcher = new Launcher(jars);
-        Box withoutReserve = new WithoutReserve(new PlainBox(jars, Message.NONE));
+        Box withoutReserve =
+                new WithoutReserve(new PlainBox(jars, ChildJava.running(), Message.NONE));
         try (Judge judge =
                 new Judge(
                         JudgeSettings.defaults(),
@@ -160,6 +163,45 @@ class GradingLifeTest {
                         SpeedMemory.ofProcess(),
                         Compiling::inAChild)) {
             assertEquals(GradingVerdict.OK, grade(judge, Sources.RIGHT).verdict());
+        }
+    }
+
+    @Test
+    void aChildThatCannotStartIsNoFaultOfTheMethod() throws Exception {
+        ChildJars jars = ChildJars.assemble();
+        Launcher launcher = new Launcher(jars);
+        Box failing =
+                new FailingOnce(
+                        new PlainBox(jars, ChildJava.running(), Message.NONE), new AtomicBoolean());
+        try (Judge judge =
+                new Judge(
+                        JudgeSettings.once(),
+                        jars,
+                        launcher,
+                        failing,
+                        SpeedMemory.ofProcess(),
+                        Compiling::inAChild)) {
+            Report report = grade(judge, Sources.RIGHT);
+            assertEquals(GradingVerdict.OK, report.verdict(), report::toString);
+        }
+    }
+
+    /** The first child for a method ends before it says anything, as where the system is short. */
+    private record FailingOnce(Box box, AtomicBoolean failed) implements Box {
+        @Override
+        public Isolation isolation() {
+            return box.isolation();
+        }
+
+        @Override
+        public boolean nested() {
+            return box.nested();
+        }
+
+        @Override
+        public List<String> command(ChildKind kind, boolean warm) {
+            boolean fails = kind == ChildKind.RUN && !failed.getAndSet(true);
+            return fails ? List.of(Programs.java(), "-version") : box.command(kind, warm);
         }
     }
 

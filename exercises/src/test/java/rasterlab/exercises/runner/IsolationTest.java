@@ -17,7 +17,7 @@ class IsolationTest {
     @ParameterizedTest(name = "an exam is graded where the limit on processes is {0}")
     @EnumSource(ProcessLimit.class)
     void examsNeedALimitOnProcesses(ProcessLimit limit) {
-        Isolation isolation = Isolation.bubblewrap("bubblewrap 0.8.0", limit, List.of());
+        Isolation isolation = Isolation.bubblewrap("bubblewrap 0.8.0", limit, true, List.of());
         assertEquals(limit == ProcessLimit.HOLDS, isolation.exam());
         assertEquals(!isolation.exam(), isolation.describe("en").contains("not for exams: "));
         assertEquals(isolation.exam(), isolation.missingForExams().isEmpty());
@@ -29,7 +29,8 @@ class IsolationTest {
     @DisplayName("an exam is graded where a limit was set but does not hold")
     void examsNeedWhatIsPromisedToHold() {
         var fault = Message.of("isolation.limit-fails", "Max file size unlimited");
-        Isolation isolation = Isolation.bubblewrap("0.8.0", ProcessLimit.HOLDS, List.of(fault));
+        Isolation isolation =
+                Isolation.bubblewrap("0.8.0", ProcessLimit.HOLDS, true, List.of(fault));
         assertFalse(isolation.exam());
         Message missing = Message.of("missing.limit-fails", "Max file size unlimited");
         assertTrue(isolation.missing().contains(missing));
@@ -43,17 +44,33 @@ class IsolationTest {
     @DisplayName("an exam is graded where no filter of system calls holds")
     void examsNeedTheFilter() {
         var fault = Message.of("isolation.no-filter");
-        Isolation isolation = Isolation.bubblewrap("0.8.0", ProcessLimit.HOLDS, List.of(fault));
+        Isolation isolation =
+                Isolation.bubblewrap("0.8.0", ProcessLimit.HOLDS, true, List.of(fault));
         assertFalse(isolation.exam());
         assertEquals(Message.of("missing.no-filter"), isolation.missingForExams());
     }
 
     @Test
+    @DisplayName("an exam is graded on the whole JDK")
+    void examsNeedAnImage() {
+        var lacking = Message.of("isolation.no-jlink");
+        Isolation isolation =
+                Isolation.bubblewrap("0.8.0", ProcessLimit.HOLDS, false, List.of(lacking));
+        assertFalse(isolation.exam());
+        assertEquals(Message.of("missing.no-jlink"), isolation.missingForExams());
+        assertTrue(isolation.describe("en").contains("root with the JDK"), isolation::toString);
+    }
+
+    @Test
     @DisplayName("what the box lacks is kept quiet")
     void whatIsMissingIsSaid() {
+        var lacking = Message.of("isolation.groups-kinds", "memory, pids");
         Isolation isolation =
-                Isolation.bubblewrap("bubblewrap 0.8.0", ProcessLimit.HOLDS, List.of());
-        assertTrue(isolation.describe("en").contains("without memory and processor groups"));
-        assertTrue(isolation.describe("ru").contains("нет групп памяти и процессора"));
+                Isolation.bubblewrap(
+                        "bubblewrap 0.8.0", ProcessLimit.HOLDS, true, List.of(lacking));
+        assertFalse(isolation.exam());
+        assertTrue(isolation.describe("en").contains("the control groups here lack memory, pids"));
+        assertTrue(isolation.describe("ru").contains("в контрольных группах здесь нет memory"));
+        assertEquals("missing.groups-kinds", isolation.missing().get(0).sentences().get(0).key());
     }
 }

@@ -14,7 +14,8 @@ public final class OtherSettings {
                 settings.runLimit(),
                 settings.spares(),
                 settings.speed(),
-                settings.box());
+                settings.box(),
+                settings.images());
     }
 
     /** The settings of a program that grades once, with process limits only. */
@@ -26,6 +27,7 @@ public final class OtherSettings {
                 once.runLimit(),
                 once.spares(),
                 once.speed(),
-                JudgeSettings.Protection.PROCESS_LIMITS_ONLY);
+                JudgeSettings.Protection.PROCESS_LIMITS_ONLY,
+                once.images());
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.exercises.runner;
 
+import java.nio.file.Path;
 import org.junit.jupiter.api.extension.AfterAllCallback;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -11,9 +12,13 @@ import rasterlab.exercises.score.Report;
 
 /**
  * A judge for all tests of a class, whose sources are compiled in this process. No child waits in
- * reserve: one that compiles does a sample first, which costs as much as the source.
+ * reserve: one that compiles does a sample first, which costs as much as the source. Children run
+ * on images of Java as on a server.
  */
 public final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
+    /** Images of Java that all tests of the module share, as each takes seconds to make. */
+    static final Path IMAGES = Path.of("target", "java-images").toAbsolutePath();
+
     private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
 
     private final JudgeSettings settings;
@@ -27,7 +32,7 @@ public final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
 
     /** A judge with other settings. */
     public StartedJudge(JudgeSettings settings) {
-        this.settings = settings;
+        this.settings = settings.withImages(IMAGES);
     }
 
     @Override

@@ -25,7 +25,9 @@ final class Unscanned implements AutoCloseable {
     private final Children children;
 
     Unscanned(JudgeSettings.Protection wanted) {
-        box = BoxChoice.on(launcher, jars).choose(wanted);
+        JudgeSettings settings = JudgeSettings.once().withImages(StartedJudge.IMAGES);
+        ChildJava java = ChildJava.found(settings, launcher, jars);
+        box = BoxChoice.on(launcher, jars, java).choose(wanted);
         children = new Children(box, launcher, false);
     }
 

@@ -46,6 +46,7 @@ public final class Child implements AutoCloseable {
 
     private final Process process;
     private final boolean boxed;
+    private final Optional<ControlGroup> group;
     private final ExecutorService threads =
             Executors.newCachedThreadPool(Daemons.named("rasterlab-child"));
     private final BlockingQueue<byte[]> frames = new ArrayBlockingQueue<>(4);
@@ -58,6 +59,16 @@ public final class Child implements AutoCloseable {
      * @param boxed whether the process is a box, in which the child proper is another
      */
     public Child(Process process, boolean boxed) {
+        this(process, boxed, Optional.empty());
+    }
+
+    /**
+     * A child that has a control group to itself, which ends with it.
+     *
+     * @param boxed whether the process is a box, in which the child proper is another
+     */
+    public Child(Process process, boolean boxed, Optional<ControlGroup> group) {
+        this.group = group;
         this.process = process;
         this.boxed = boxed;
         this.processorTime = new ProcessorTime(process, boxed);
@@ -67,6 +78,15 @@ public final class Child implements AutoCloseable {
 
     public boolean isAlive() {
         return process.isAlive();
+    }
+
+    /** Whether it is in the control group that it should have to itself; also where it has none. */
+    public boolean isInItsGroup() {
+        try {
+            return group.isEmpty() || group.get().has(process.pid());
+        } catch (IOException unread) {
+            return false;
+        }
     }
 
     public ProcessHandle handle() {
@@ -199,7 +219,10 @@ public final class Child implements AutoCloseable {
 
     private ChildLost ended() {
         boolean byItself = waitFor(GRACE);
+        boolean outOfMemory = group.map(ControlGroup::isOutOfMemory).orElse(false);
         close();
+        if (outOfMemory)
+            return new ChildLost(ChildLost.LossReason.MEMORY, Message.of("child.memory"));
         if (!byItself)
             return new ChildLost(ChildLost.LossReason.PROTOCOL, Message.of("child.closed"));
         int status = process.exitValue();
@@ -235,6 +258,7 @@ public final class Child implements AutoCloseable {
         awaitEnd(below);
         process.destroyForcibly();
         waitFor(DEATH);
+        group.ifPresent(ControlGroup::end);
         threads.shutdownNow();
         // The reader may have been stopped before it could tell one who waits for an answer.
         frames.clear();

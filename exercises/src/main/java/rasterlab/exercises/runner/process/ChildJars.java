@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -79,7 +80,10 @@ public final class ChildJars implements AutoCloseable {
     private static void write(Path jar, Map<String, byte[]> classes) throws IOException {
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(jar))) {
             for (Map.Entry<String, byte[]> one : classes.entrySet()) {
-                zip.putNextEntry(new ZipEntry(one.getKey()));
+                ZipEntry entry = new ZipEntry(one.getKey());
+                // the same classes make the same jar, by which images of Java are known
+                entry.setTimeLocal(LocalDateTime.of(1980, 1, 1, 0, 0));
+                zip.putNextEntry(entry);
                 zip.write(one.getValue());
             }
         }

@@ -33,8 +33,18 @@ public final class Programs {
     }
 
     public static String java() {
+        return ofJava("java").toString();
+    }
+
+    /** A program of the running JDK, which may not have it. */
+    static Path ofJava(String name) {
+        return in(javaHome(), name);
+    }
+
+    /** A program of the Java with that home folder. */
+    public static Path in(Path javaHome, String name) {
         boolean windows = File.separatorChar == '\\';
-        return javaHome().resolve("bin").resolve(windows ? "java.exe" : "java").toString();
+        return javaHome.resolve("bin").resolve(windows ? name + ".exe" : name);
     }
 
     public static Optional<String> onPath(String name) {
