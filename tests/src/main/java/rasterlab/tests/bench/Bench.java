@@ -29,6 +29,7 @@ import picocli.CommandLine.Spec;
 import rasterlab.app.cli.console.ComplaintText;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.ReportLanguage;
+import rasterlab.tests.bench.grader.GraderBench;
 import rasterlab.tests.bench.language.BenchWords;
 import rasterlab.tests.bench.pipeline.PipelineBench;
 import rasterlab.tests.bench.plan.FaceCounts;
@@ -63,9 +64,12 @@ public final class Bench implements Callable<Integer> {
     /** The name of the part that holds plans against the full pipeline. */
     private static final String PLAN = "plan";
 
+    /** The name of the part that grades as the server does. */
+    private static final String GRADER = "grader";
+
     @Spec private CommandSpec spec;
 
-    @Parameters(paramLabel = "GROUP", description = "raster, pipeline, plan or window")
+    @Parameters(paramLabel = "GROUP", description = "raster, pipeline, plan, window or grader")
     private String group;
 
     @Option(
@@ -128,7 +132,7 @@ public final class Bench implements Callable<Integer> {
     /** The groups that can be measured; the {@code ./lab} scripts know these names too. */
     public static SortedSet<String> groups() {
         var names = new TreeSet<>(GROUPS.keySet());
-        names.addAll(List.of(PIPELINE, PLAN, WINDOW));
+        names.addAll(List.of(PIPELINE, PLAN, WINDOW, GRADER));
         return names;
     }
 
@@ -137,6 +141,10 @@ public final class Bench implements Callable<Integer> {
         requireSense();
         if (group.equals(WINDOW)) {
             new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, words, console.out()).run();
+            return 0;
+        }
+        if (group.equals(GRADER)) {
+            new GraderBench(quick, words, console.out()).run();
             return 0;
         }
         if (group.equals(PLAN)) {
@@ -167,7 +175,7 @@ public final class Bench implements Callable<Integer> {
         if (!groups().contains(group)) throw wrong("group", group, String.join(", ", groups()));
         if (minutes < 0) throw wrong("minutes.negative", String.valueOf(minutes));
         if (minutes > 0 && !group.equals(WINDOW)) throw wrong("minutes.group", group);
-        if (!only.isEmpty() && List.of(PLAN, WINDOW).contains(group)) throw wrong("only.group");
+        if (!only.isEmpty() && List.of(PLAN, WINDOW, GRADER).contains(group)) throw wrong("only.group");
         List<String> works = works();
         if (works.stream().noneMatch(work -> work.contains(only)))
             throw wrong("only.none", only, String.join("; ", works));
@@ -178,7 +186,7 @@ public final class Bench implements Callable<Integer> {
      * choice.
      */
     private List<String> works() {
-        if (List.of(PLAN, WINDOW).contains(group)) return List.of("");
+        if (List.of(PLAN, WINDOW, GRADER).contains(group)) return List.of("");
         if (group.equals(PIPELINE)) return PipelineBench.works();
         return GROUPS.get(group).get().stream().map(Goal::work).toList();
     }

@@ -24,7 +24,8 @@ class BenchTest {
     void anUnknownGroupIsAnsweredWithThoseThereAre() {
         assertEquals(2, run("nosuch"));
         assertEquals(
-                "./lab bench: unknown group 'nosuch'; allowed are pipeline, plan, raster, window"
+                "./lab bench: unknown group 'nosuch'; allowed are grader, pipeline, plan, raster,"
+                        + " window"
                         + " (see `./lab bench --help`)",
                 errorText());
     }
@@ -56,7 +57,8 @@ class BenchTest {
         assertEquals(2, run("window", "--minutes", "-1"));
         assertEquals(
                 List.of(
-                        "--only goes with the groups raster and pipeline, not with plan and window",
+                        "--only goes with the groups raster and pipeline, not with plan, window and"
+                                + " grader",
                         "--minutes goes with the group window, not with raster",
                         "--minutes must be at least 0, got -1"),
                 errorText()

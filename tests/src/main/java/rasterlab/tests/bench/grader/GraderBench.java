@@ -1,0 +1,123 @@
+package rasterlab.tests.bench.grader;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import rasterlab.app.language.Language;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.runner.Judge;
+import rasterlab.exercises.runner.JudgeSettings;
+import rasterlab.exercises.score.Report;
+import rasterlab.tests.bench.language.BenchWords;
+
+/**
+ * Grades a right program for a typical exercise again and again, as a server does when it has
+ * nothing else to do: from the source to the report, without the way through the queue.
+ */
+public final class GraderBench {
+    private static final String EXERCISE = "line-bresenham";
+
+    /** Each pixel by a division: right, and slower than the reference. */
+    private static final String SOURCE =
+            """
+            import rasterlab.contract.LineRasterizer;
+            import rasterlab.contract.Pixels;
+
+            public class Divided implements LineRasterizer {
+                @Override
+                public void draw(int x0, int y0, int x1, int y1, Pixels out) {
+                    long dx = (long) x1 - x0, dy = (long) y1 - y0;
+                    long steps = Math.max(Math.abs(dx), Math.abs(dy));
+                    for (long k = 0; k <= steps; k++)
+                        out.plot(at(x0, dx, k, steps), at(y0, dy, k, steps));
+                }
+
+                private static int at(int from, long by, long k, long steps) {
+                    return steps == 0 ? from : (int) (from + Math.floorDiv(2 * k * by + steps, 2 * steps));
+                }
+            }
+            """;
+
+    private static final double GOAL_SECONDS = 0.7;
+    private static final int WARM_UP = 3;
+    private static final int MANY = 21;
+    private static final int FEW = 5;
+
+    /** The time after which a program that a server keeps in reserve has long started. */
+    private static final long REST_SECONDS = 2;
+
+    private final boolean quick;
+    private final BenchWords words;
+    private final PrintStream out;
+
+    public GraderBench(boolean quick, BenchWords words, PrintStream out) {
+        this.quick = quick;
+        this.words = words;
+        this.out = out;
+    }
+
+    /**
+     * Prints the times of single gradings on each Java, and of many one after another.
+     */
+    public void run() throws InterruptedException {
+        Path images = Path.of(System.getProperty("java.io.tmpdir"), "rasterlab-bench-images");
+        JudgeSettings plain = JudgeSettings.defaults();
+        long start = System.nanoTime();
+        try (Judge judge = Judge.start(plain.withImages(images))) {
+            out.println(words.text("grader.start", seconds(System.nanoTime() - start)));
+            out.println(judge.isolation().describe(language()));
+            measure(judge, "grader.image");
+        }
+        try (Judge judge = Judge.start(plain)) {
+            measure(judge, "grader.jdk");
+        }
+    }
+
+    private String language() {
+        return words.language() == Language.RUSSIAN ? "ru" : "en";
+    }
+
+    private void measure(Judge judge, String key) throws InterruptedException {
+        for (int k = 0; k < WARM_UP; k++) grade(judge);
+        List<Long> idle = new ArrayList<>();
+        for (int k = 0; k < (quick ? FEW : MANY); k++) {
+            TimeUnit.SECONDS.sleep(REST_SECONDS);
+            idle.add(grade(judge));
+        }
+        idle.sort(null);
+        long median = idle.get(idle.size() / 2);
+        boolean met = median <= GOAL_SECONDS * 1e9;
+        out.println(
+                words.text(
+                        key,
+                        seconds(median),
+                        seconds(idle.get(0)),
+                        seconds(idle.get(idle.size() - 1)),
+                        String.valueOf(idle.size()),
+                        String.valueOf(GOAL_SECONDS),
+                        words.text(met ? "yes" : "no")));
+        long start = System.nanoTime();
+        int busy = quick ? FEW : MANY;
+        for (int k = 0; k < busy; k++) grade(judge);
+        out.println(words.text("grader.busy", seconds((System.nanoTime() - start) / busy), String.valueOf(busy)));
+    }
+
+    /** The nanoseconds from the source to the report. */
+    private static long grade(Judge judge) throws InterruptedException {
+        Exercise exercise = Catalogue.builtIn().named(EXERCISE);
+        long start = System.nanoTime();
+        Report report = judge.grade(exercise, SOURCE, CaseSelection.all(7), one -> {});
+        long nanos = System.nanoTime() - start;
+        if (report.points().total() == 0) throw new IllegalStateException("graded " + report);
+        return nanos;
+    }
+
+    private static String seconds(long nanos) {
+        return String.format(Locale.ROOT, "%.2f", nanos / 1e9);
+    }
+}
