@@ -8,8 +8,6 @@ import picocli.CommandLine.Spec
 import rasterlab.exercises.CatalogueException
 import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.exercises.runner.Isolation
-import rasterlab.exercises.runner.Judge
-import rasterlab.exercises.runner.JudgeSettings
 import rasterlab.grader.certificate.OwnCertificate
 import rasterlab.grader.edge.DoorLimits
 import rasterlab.grader.edge.Listening
@@ -199,8 +197,7 @@ internal class ServeCommand(
         DataFolder.take(data, db).use { folder ->
             logTo(folder.logFile)
             openDatabase(folder.database, data, work.name ?: Leases.ONE_SERVER).use { database ->
-                Judge.start(JudgeSettings.defaults(), SpeedBands(database)).use { judge ->
-                    logIsolation(judge.isolation())
+                work.startJudge(folder, SpeedBands(database)).use { judge ->
                     val kept = KeptExercises(database).apply { keep(catalogue) }
                     Server(
                         database,

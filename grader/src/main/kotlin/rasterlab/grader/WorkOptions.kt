@@ -6,8 +6,10 @@ import picocli.CommandLine.Option
 import rasterlab.exercises.runner.Isolation
 import rasterlab.exercises.runner.Judge
 import rasterlab.exercises.runner.JudgeSettings
+import rasterlab.exercises.runner.SpeedMemory
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.StartFailure
+import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.worker.HostName
 import java.nio.file.Path
 
@@ -29,6 +31,16 @@ internal class WorkOptions {
         description = ["Refuses to start where sources cannot be isolated by the operating system."],
     )
     var exam = false
+
+    @Option(
+        names = ["--java-images"],
+        paramLabel = "DIR",
+        description = [
+            "Folder of the Java that sources run on: images of the modules that they need,",
+            "made at the first start; default: cache in the data folder.",
+        ],
+    )
+    var javaImages: Path? = null
 
     @Option(
         names = ["--config"],
@@ -79,7 +91,26 @@ internal class WorkOptions {
     fun refuseExamsWithoutIsolation() {
         if (!exam) return
         val isolation = Judge.start(JudgeSettings.defaults()).use { it.isolation() }
-        if (!isolation.exam()) throw CannotStart(StartFailure.EXAM, isolation.missingForExams())
+        val missing = isolation.missingBeforeImages()
+        if (!missing.isEmpty) throw CannotStart(StartFailure.EXAM, missing)
+    }
+
+    /**
+     * The judge of this process, which has the data folder to itself.
+     *
+     * @throws CannotStart where exams are asked for and no image of Java could be made
+     */
+    fun startJudge(
+        folder: DataFolder,
+        memory: SpeedMemory,
+    ): Judge {
+        val images = javaImages ?: folder.logFile.resolveSibling("cache")
+        val judge = Judge.start(JudgeSettings.defaults().withImages(images), memory)
+        val isolation = judge.isolation()
+        logIsolation(isolation)
+        if (!exam || isolation.exam()) return judge
+        judge.close()
+        throw CannotStart(StartFailure.EXAM, isolation.missingForExams())
     }
 
     /** An option that somebody gave, and that changes nothing, is not passed over in silence. */

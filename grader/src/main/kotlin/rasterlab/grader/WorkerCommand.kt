@@ -7,7 +7,6 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.exercises.runner.Judge
-import rasterlab.exercises.runner.JudgeSettings
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.KeptExercises
 import rasterlab.grader.storage.CannotStart
@@ -38,7 +37,8 @@ import java.util.concurrent.Callable
     mixinStandardHelpOptions = true,
     description = [
         "Grades what servers on other machines take in, from the PostgreSQL database that they share.",
-        "Told to end, by a signal or on the page of those who grade, it ends first what it grades.",
+        "Drained on the page of those who grade, it ends first what it grades; told to end by a signal,",
+        "it puts that back, and another takes it up at once.",
     ],
 )
 internal class WorkerCommand(
@@ -63,7 +63,7 @@ internal class WorkerCommand(
         paramLabel = "DIR",
         defaultValue = "rasterlab-worker",
         descriptionKey = "worker.data",
-        description = ["Folder for the log, made if missing; default: \${DEFAULT-VALUE}."],
+        description = ["Folder for the log and the Java of sources, made if missing; default: \${DEFAULT-VALUE}."],
     )
     lateinit var data: Path
 
@@ -84,15 +84,14 @@ internal class WorkerCommand(
     ) = DataFolder.take(data, db).use { folder ->
         logTo(folder.logFile)
         openDatabase(folder.database, data, name).use { database ->
-            Judge.start(JudgeSettings.defaults(), SpeedBands(database)).use { judge ->
+            work.startJudge(folder, SpeedBands(database)).use { judge ->
                 judge.closedByCaller()
-                logIsolation(judge.isolation())
                 SharedMoves(database, name).use { moves ->
                     queue(name, database, judge, Live(moves::tell), stop).use { queue ->
                         queue.start()
                         announce(name, judge)
                         while (!stop.await(GLANCE)) if (queue.isDrained()) break
-                        queue.drain(LAST_WORK)
+                        if (stop.isAsked()) queue.putBack()
                     }
                 }
             }
@@ -140,8 +139,5 @@ internal class WorkerCommand(
     private companion object {
         /** How soon it ends when it is drained. */
         val GLANCE: Duration = Duration.ofMillis(500)
-
-        /** The time for the last work of a worker that is told to end; then that is put back into the queue. */
-        val LAST_WORK: Duration = Duration.ofSeconds(60)
     }
 }

@@ -50,7 +50,7 @@ class OptionsFileTest {
 
     private companion object {
         const val KNOWN =
-            "data, db, entries-per-minute, exam, exercises, host, name, oidc-claim, oidc-client-id, " +
+            "data, db, entries-per-minute, exam, exercises, host, java-images, name, oidc-claim, oidc-client-id, " +
                 "oidc-client-secret, oidc-issuer, port, proxy, public-address, sign-in-column, " +
                 "sign-in-header, sign-in-staff, submissions-per-minute, tls-cert, tls-key, waiting, " +
                 "workers"

@@ -12,7 +12,6 @@ import org.sqlite.SQLiteConfig
 import org.sqlite.SQLiteDataSource
 import java.nio.file.Files
 import java.nio.file.Path
-import java.sql.Connection
 import java.time.Instant
 import javax.sql.DataSource
 
@@ -33,7 +32,7 @@ class Database private constructor(
     private val writer: HikariDataSource,
     private val reader: HikariDataSource,
     private val firstInWrite: String? = null,
-    private val named: AutoCloseable? = null,
+    private val named: NameLock? = null,
     private val listening: DataSource? = null,
 ) : AutoCloseable {
     private val writes = silentAboutValues(writer)
@@ -84,6 +83,12 @@ class Database private constructor(
             work(handle)
         }
 
+    /**
+     * Whether no other process has the name of this one. The name is taken again where it was lost, as with a database
+     * that was started again.
+     */
+    fun keepsName(): Boolean = named?.isKept() ?: true
+
     /** Whether the disk can still take a submission and its result. */
     fun hasRoom(): Boolean = freeBytes() >= LEAST_FREE_BYTES
 
@@ -118,16 +123,11 @@ class Database private constructor(
         /** The connection counts as lost when an answer takes longer, and the lock is free again when its holder is silent. */
         private const val POSTGRES_SECONDS = 30
 
-        /** Numbers of locks, the last with that of a name; any other programs in the database must not use them. */
+        /** The number of a lock, beside those of [NameLock]; any other programs in the database must not use it. */
         private const val WRITE_LOCK = 7_271_001L
-        private const val SERVER_LOCK = 7_271_002L
-        private const val NAME_LOCK = 7_271_003
 
         private const val CHANNEL = "rasterlab"
         private const val LISTEN_MILLIS = 1_000
-
-        private const val TAKE_NAME =
-            "SELECT pg_try_advisory_lock_shared($SERVER_LOCK), pg_try_advisory_lock($NAME_LOCK, %d)"
 
         private const val CLOCK = "SELECT clock_timestamp()"
 
@@ -165,7 +165,7 @@ class Database private constructor(
             name: String?,
         ): Database {
             address.requireAnswer()
-            val lock = name?.let { takeName(address, it) }
+            val lock = name?.let { NameLock.take(address, it) }
             // Large courses take their time to migrate.
             Tables(address.source(patienceSeconds = 0)).migrate()
             val source = address.source(POSTGRES_SECONDS)
@@ -184,26 +184,6 @@ class Database private constructor(
                 lock,
                 source,
             )
-        }
-
-        /**
-         * A connection that has the lock of the name. It also has a share of the lock that a server of an earlier version
-         * has alone, since that one would take everybody's leases away.
-         */
-        private fun takeName(
-            address: PostgresAddress,
-            name: String,
-        ): Connection {
-            val connection = address.source(patienceSeconds = 0).connection
-            val taken =
-                connection.createStatement().use { statement ->
-                    statement.executeQuery(TAKE_NAME.format(name.hashCode())).use {
-                        it.next() && it.getBoolean(1) && it.getBoolean(2)
-                    }
-                }
-            if (taken) return connection
-            connection.close()
-            throw CannotStart(CannotStart.StartFailure.NAME_USED, address, name)
         }
 
         /** @param first what each new connection does before all else */

@@ -42,6 +42,7 @@ class Attempts(
     private val log = LoggerFactory.getLogger(javaClass)
     private val held = ConcurrentHashMap<Lease, LeaseKeeper>()
     private val open = AtomicInteger()
+    private val working = ConcurrentHashMap.newKeySet<Thread>()
 
     /** Whether something new is begun, or all that waits is left to others. */
     @Volatile
@@ -58,12 +59,17 @@ class Attempts(
      */
     fun attemptNext(): AttemptOutcome {
         open.incrementAndGet()
+        working += Thread.currentThread()
         try {
             return if (takes && database.hasRoom()) takeNext() else AttemptOutcome.TRY_AGAIN
         } finally {
+            working -= Thread.currentThread()
             open.decrementAndGet()
         }
     }
+
+    /** Cuts off what is graded here, which is put back into the queue by that. */
+    fun interrupt() = working.forEach(Thread::interrupt)
 
     private fun takeNext(): AttemptOutcome {
         leases.claimNext()?.let { lease ->
@@ -84,7 +90,9 @@ class Attempts(
         try {
             return settle(lease, keeper, progress)
         } catch (failure: Exception) {
-            keeper.giveUp(lease, counts = failure !is InterruptedException && !stopping())
+            // That the database was away is no fault of the submission's, however often it happens.
+            val counts = failure !is InterruptedException && !stopping() && !failure.isStorageFull()
+            stored { keeper.giveUp(lease, counts) }
             throw failure
         } finally {
             held -= lease
@@ -186,6 +194,7 @@ class Attempts(
         } catch (stop: InterruptedException) {
             throw stop
         } catch (failure: Exception) {
+            if (failure.isStorageFull()) throw failure
             log.error("grading submission {} failed on try {}", submission.id, submission.tries, failure)
             ourFault(Message.of("internal.grader"), exercise.points().total())
         }

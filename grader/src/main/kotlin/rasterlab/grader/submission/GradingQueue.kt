@@ -38,6 +38,7 @@ class GradingQueue(
     private val log = LoggerFactory.getLogger(javaClass)
     private var wallAhead = Duration.ZERO
     private var failing = false
+    private var named = true
 
     @Volatile
     private var ends = false
@@ -138,12 +139,16 @@ class GradingQueue(
         log.info(if (more) "takes work" else "takes no more work")
     }
 
-    /** Takes nothing more, and returns when what is graded here is done, or after [patience]. */
-    fun drain(patience: Duration) {
+    /** Takes nothing more, and puts what is graded here back for others, who take it up at once. */
+    fun putBack() {
         ends = true
         take(false)
-        val end = System.nanoTime() + patience.toNanos()
-        while (attempts.running() > 0 && System.nanoTime() < end) TimeUnit.NANOSECONDS.sleep(GLANCE.toNanos())
+        val end = System.nanoTime() + STOP_WAIT.toNanos()
+        while (attempts.running() > 0 && System.nanoTime() < end) {
+            attempts.interrupt()
+            TimeUnit.NANOSECONDS.sleep(GLANCE.toNanos())
+        }
+        sweep()
     }
 
     /**
@@ -172,7 +177,7 @@ class GradingQueue(
         try {
             followDatabase()
             attempts.renew()
-            take(!ends && presence?.seen() != true)
+            take(!ends && hasItsName() && presence?.seen() != true)
             due()
             sweep()
             lookForMoves()
@@ -184,6 +189,17 @@ class GradingQueue(
             if (!failing) log.error("the sweep failed and is made again each {}", SWEEP, failure)
             failing = true
         }
+    }
+
+    /**
+     * Two of one name would take each other's leases: the later one takes nothing. A name is lost only with the connection
+     * to the database, and taken again when that is back.
+     */
+    private fun hasItsName(): Boolean {
+        val has = database.keepsName()
+        if (has != named) log.warn(if (has) "has its name {} again" else "another process has its name {}", name)
+        named = has
+        return has
     }
 
     /** Rings that were to be answered by a clock that was set back since are made anew by the sweep. */

@@ -61,9 +61,9 @@ interface LeaseKeeper {
     fun renew(lease: Lease)
 
     /**
-     * Gives an attempt up, so that it is made again after a pause.
+     * Gives an attempt up, so that it is made again: after a pause where it counts, and else at once.
      *
-     * @param counts whether it counts among the tries: not if only the server stops
+     * @param counts whether it counts among the tries: not if only the server stops, or the database was away
      */
     fun giveUp(
         lease: Lease,
@@ -145,7 +145,7 @@ class Leases(
                 .createUpdate(
                     """UPDATE submissions SET state = 'queued', lease = NULL, lease_until = :until, tries = tries - :uncounted
                        WHERE id = :id AND lease = :lease""",
-                ).bind("until", after(PAUSE))
+                ).bind("until", after(if (counts) PAUSE else Duration.ZERO))
                 .bind("uncounted", if (counts) 0 else 1)
                 .bind("id", lease.submission.id)
                 .bind("lease", lease.token)

@@ -81,7 +81,9 @@ class RegradeLeases(
         counts: Boolean,
     ) {
         update(lease, "state = 'queued', lease = NULL, lease_until = :until, tries = tries - :uncounted") {
-            it.bind("until", after(Leases.PAUSE)).bind("uncounted", if (counts) 0 else 1)
+            it
+                .bind("until", after(if (counts) Leases.PAUSE else Duration.ZERO))
+                .bind("uncounted", if (counts) 0 else 1)
         }
     }
 

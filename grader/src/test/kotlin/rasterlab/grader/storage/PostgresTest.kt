@@ -13,6 +13,7 @@ import rasterlab.grader.postgres.TestDatabases
 import java.net.InetAddress
 import java.net.ServerSocket
 import java.nio.file.Path
+import java.sql.SQLException
 import java.util.concurrent.CompletableFuture.supplyAsync
 import java.util.concurrent.CyclicBarrier
 import kotlin.io.path.exists
@@ -86,6 +87,28 @@ class PostgresTest {
             Database.open(address, folder, null).close()
         }
         Database.open(address, folder, "one").close()
+    }
+
+    @Test
+    @DisplayName("after the database was started again, a second process of the same name starts")
+    fun keepsItsNameWhenTheDatabaseIsStartedAgain() {
+        val address = address("names")
+        Database.open(address, folder, "one").use { one ->
+            checkNotNull(TestDatabases.server).restart { assertThrows(SQLException::class.java) { one.keepsName() } }
+            assertTrue(one.keepsName())
+            refuses("another process named one is using it") { Database.open(address, folder, "one") }
+        }
+    }
+
+    @Test
+    @DisplayName("a process whose name another took while the database was away goes on beside it")
+    fun knowsThatAnotherHasItsName() {
+        val address = address("taken")
+        Database.open(address, folder, "one").use { one ->
+            checkNotNull(TestDatabases.server).restart {}
+            Database.open(address, folder, "one").use { assertEquals(false, one.keepsName()) }
+            assertTrue(one.keepsName())
+        }
     }
 
     @Test

@@ -21,6 +21,7 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
 import java.nio.file.Path
+import java.sql.SQLTransientConnectionException
 import java.time.Duration
 import java.time.Instant
 import java.time.InstantSource
@@ -156,6 +157,19 @@ open class AttemptsTest {
         assertEquals(AttemptOutcome.SETTLED, attempts { _, _, _, _ -> right.also { calls++ } }.attemptNext())
         assertEquals(0, calls)
         assertEquals(GradingVerdict.INTERNAL, reports.of(id)?.report?.verdict())
+    }
+
+    @Test
+    @DisplayName("a submission is given up since the database was away while it was graded")
+    fun countsNoTryOfWhichTheDatabaseWasTheEnd() {
+        val id = submission()
+        repeat(Attempts.TRIES + 1) {
+            val away = IllegalStateException(SQLTransientConnectionException("the database is away"))
+            assertThrows(IllegalStateException::class.java) { attempts { _, _, _, _ -> throw away }.attemptNext() }
+        }
+        val found = checkNotNull(submissions.find(id))
+        assertEquals(State.QUEUED to 0, found.state to found.tries)
+        assertEquals(null, reports.of(id))
     }
 
     @Test

@@ -30,20 +30,33 @@ class SharedCourse(
 
     fun handIn(student: Identity.StudentIdentity): String = students.handIn(student, exercise.starter())
 
+    /** Hands in what is stopped in each case after some seconds, and so takes much longer to grade than to start. */
+    fun handInEndless(student: Identity.StudentIdentity): String =
+        students.handIn(student, exercise.starter().replace("out) {}", "out) { while (true) if (x0 > 1e9) break; }"))
+
     fun worker(
         name: String,
         vararg more: String,
     ): GraderProcess {
         val data = folder.resolve("of-$name")
-        return start("worker", "--db", address, "--data", "$data", "--name", name, *more).also {
+        return start("worker", "--db", address, "--data", "$data", "--name", name, *IMAGES, *more).also {
             assertEquals(name, it.line("grading as "))
         }
     }
 
     fun server(name: String): GraderProcess =
-        start("serve", "--db", address, "--data", "${folder.resolve("of-$name")}", "--name", name, "--port", "0").also {
-            it.line("listening on ")
-        }
+        start(
+            "serve",
+            "--db",
+            address,
+            "--data",
+            "${folder.resolve("of-$name")}",
+            "--name",
+            name,
+            "--port",
+            "0",
+            *IMAGES,
+        ).also { it.line("listening on ") }
 
     fun start(vararg arguments: String): GraderProcess = GraderProcess.start(*arguments).also { processes += it }
 
@@ -93,6 +106,8 @@ class SharedCourse(
     }
 
     private companion object {
+        /** All processes of the tests share the images of Java, as each takes seconds to make. */
+        val IMAGES = arrayOf("--java-images", "${Path.of("target", "java-images").toAbsolutePath()}")
         const val PATIENCE_MINUTES = 4L
         const val RESULTS_OF_EACH =
             """SELECT DISTINCT count(r.id) FROM submissions s LEFT JOIN results r ON r.submission_id = s.id

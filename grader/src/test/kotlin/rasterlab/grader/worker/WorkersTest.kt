@@ -6,8 +6,6 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
-import org.junit.jupiter.params.ParameterizedTest
-import org.junit.jupiter.params.provider.ValueSource
 import rasterlab.grader.postgres.OnPostgres
 import java.nio.file.Path
 
@@ -18,20 +16,18 @@ class WorkersTest {
     @TempDir
     lateinit var folder: Path
 
-    @ParameterizedTest(
-        name = "a worker that is told to end by {0} drops what it grades, takes more, or stays on the list",
-    )
-    @ValueSource(strings = ["a signal", "an instructor"])
-    fun endsWhatItGrades(way: String) =
-        SharedCourse(folder, "drained by $way".replace(' ', '-')).use { course ->
+    @Test
+    @DisplayName("a worker that an instructor drains drops what it grades, takes more, or stays on the list")
+    fun endsWhatItGrades() =
+        SharedCourse(folder, "drained").use { course ->
             val ada = course.student("Ada")
             val worker = course.worker("first")
             assertEquals(listOf("first"), course.workers.all().map { it.worker.name })
             repeat(5) { course.handIn(ada) }
             course.await("expected a submission to be taken") { course.heldBy("first").isNotEmpty() }
             val taken = course.heldBy("first")
-            if (way == "a signal") worker.signal("TERM") else course.workers.drain("first", drains = true, by = "test")
-            assertEquals(if (way == "a signal") TERMINATED else 0, worker.exit())
+            course.workers.drain("first", drains = true, by = "test")
+            assertEquals(0, worker.exit())
             val done = course.rows("SELECT id FROM submissions WHERE state = 'done'")
             assertTrue(done.containsAll(taken), "taken $taken, done $done")
             assertEquals(
@@ -42,6 +38,21 @@ class WorkersTest {
             course.worker("first")
             course.awaitAllDone()
             course.requireEachOnce()
+        }
+
+    @Test
+    @DisplayName("a worker that is told to end keeps others waiting for what it grades, or counts that as a try")
+    fun putsBackWhatItGrades() =
+        SharedCourse(folder, "stopped").use { course ->
+            val worker = course.worker("first")
+            val id = course.handInEndless(course.student("Ada"))
+            course.await("expected the submission to be taken") { course.heldBy("first") == listOf(id) }
+            worker.signal("TERM")
+            assertEquals(TERMINATED, worker.exit())
+            assertEquals(listOf("queued 0"), course.rows("SELECT state || ' ' || tries FROM submissions"))
+            assertEquals(emptyList<String>(), course.workers.all().map { it.worker.name })
+            course.worker("second")
+            course.await("expected the other to take it up") { course.heldBy("second") == listOf(id) }
         }
 
     @Test

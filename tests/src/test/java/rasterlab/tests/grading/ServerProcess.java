@@ -58,6 +58,9 @@ public record ServerProcess(Process process, URI address, String token, Path log
         var java = new ArrayList<>(ChildProcess.SHORT_LIVED);
         if (Runtime.version().feature() >= 24) java.add("--enable-native-access=ALL-UNNAMED");
         var arguments = new ArrayList<>(List.of("serve", "--data", data.toString()));
+        // shared by all tests of the module, as images of Java take seconds to make
+        var images = Path.of("target", "java-images").toAbsolutePath();
+        arguments.addAll(List.of("--java-images", images.toString()));
         arguments.addAll(List.of(options));
         return JavaCommand.of(java, "rasterlab.grader.MainKt", arguments);
     }
