@@ -5,6 +5,7 @@ import java.nio.file.Path
 import java.util.concurrent.CompletableFuture.supplyAsync
 import java.util.concurrent.TimeUnit.MINUTES
 import kotlin.io.path.readText
+import kotlin.random.Random
 
 /** A command of `./lab grader` as a process of its own, from the classes of this test. */
 class GraderProcess private constructor(
@@ -26,6 +27,16 @@ class GraderProcess private constructor(
     /** Ends it as a power cut would. */
     fun kill() {
         process.destroyForcibly().waitFor()
+    }
+
+    /** Ends one of the processes that it runs sources in, if there is one. */
+    fun killChild(random: Random) {
+        process
+            .toHandle()
+            .descendants()
+            .toList()
+            .randomOrNull(random)
+            ?.destroyForcibly()
     }
 
     /** Waits for its end, and returns its exit code. */

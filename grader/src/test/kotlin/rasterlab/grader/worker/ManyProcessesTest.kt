@@ -10,7 +10,10 @@ import rasterlab.grader.postgres.TestDatabases
 import java.nio.file.Path
 import kotlin.random.Random
 
-/** Two servers and three workers on one database, which are killed at random and started again under their names. */
+/**
+ * Two servers and three workers on one database. They, the processes that run sources and the database are killed at
+ * random and started again. More than the build tries: -Drasterlab.kills=200 -Drasterlab.students=3.
+ */
 @OnPostgres
 @Tag("slow")
 class ManyProcessesTest {
@@ -32,9 +35,14 @@ class ManyProcessesTest {
                 val enough = done(course) + 1 + random.nextInt(STUDENTS / 2)
                 course.await("expected results to come") { done(course) >= enough }
                 val name = names.random(random)
-                checkNotNull(running[name]).kill()
-                if (kill == KILLS / 2) restart(course)
-                running[name] = start(course, name)
+                val process = checkNotNull(running[name])
+                if (kill % EACH == EACH / 2) restart(course)
+                if (random.nextInt(CHILD_KILLS) == 0) {
+                    process.killChild(random)
+                } else {
+                    process.kill()
+                    running[name] = start(course, name)
+                }
             }
             course.awaitAllDone()
             course.requireEachOnce()
@@ -57,7 +65,13 @@ class ManyProcessesTest {
     ): GraderProcess = if (name.startsWith("server")) course.server(name) else course.worker(name)
 
     private companion object {
-        const val STUDENTS = 4
-        const val KILLS = 6
+        val STUDENTS = Integer.getInteger("rasterlab.students", 4)
+        val KILLS = Integer.getInteger("rasterlab.kills", 6)
+
+        /** The database is started again once in so many kills. */
+        const val EACH = 6
+
+        /** The kills for each one of a process that runs sources. */
+        const val CHILD_KILLS = 3
     }
 }

@@ -175,7 +175,8 @@ public final class Bench implements Callable<Integer> {
         if (!groups().contains(group)) throw wrong("group", group, String.join(", ", groups()));
         if (minutes < 0) throw wrong("minutes.negative", String.valueOf(minutes));
         if (minutes > 0 && !group.equals(WINDOW)) throw wrong("minutes.group", group);
-        if (!only.isEmpty() && List.of(PLAN, WINDOW, GRADER).contains(group)) throw wrong("only.group");
+        if (!only.isEmpty() && List.of(PLAN, WINDOW, GRADER).contains(group))
+            throw wrong("only.group");
         List<String> works = works();
         if (works.stream().noneMatch(work -> work.contains(only)))
             throw wrong("only.none", only, String.join("; ", works));

@@ -61,9 +61,7 @@ public final class GraderBench {
         this.out = out;
     }
 
-    /**
-     * Prints the times of single gradings on each Java, and of many one after another.
-     */
+    /** Prints the times of single gradings on each Java, and of many one after another. */
     public void run() throws InterruptedException {
         Path images = Path.of(System.getProperty("java.io.tmpdir"), "rasterlab-bench-images");
         JudgeSettings plain = JudgeSettings.defaults();
@@ -104,7 +102,11 @@ public final class GraderBench {
         long start = System.nanoTime();
         int busy = quick ? FEW : MANY;
         for (int k = 0; k < busy; k++) grade(judge);
-        out.println(words.text("grader.busy", seconds((System.nanoTime() - start) / busy), String.valueOf(busy)));
+        out.println(
+                words.text(
+                        "grader.busy",
+                        seconds((System.nanoTime() - start) / busy),
+                        String.valueOf(busy)));
     }
 
     /** The nanoseconds from the source to the report. */
