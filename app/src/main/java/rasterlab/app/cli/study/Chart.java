@@ -91,7 +91,18 @@ record Chart(
                         language -> growth.svg(language, ChartLook.PAPER),
                         language -> PngFile.bytes(growth.image(language, ChartLook.PAPER)),
                         growth::csv),
+                segments(),
                 signs(predicates));
+    }
+
+    private static Chart segments() {
+        var chart = new CurveSegments();
+        return new Chart(
+                "curve-segments",
+                tables -> tables.segments(chart.rows()),
+                chart::svg,
+                chart::png,
+                chart::csv);
     }
 
     private static Chart signs(List<String> predicates) {

@@ -123,6 +123,39 @@ final class ChartTables {
         return String.format(texts.locale(), "%.3f", share);
     }
 
+    /**
+     * The nanoseconds that a curve costs in all, with a star where the planner takes the method.
+     */
+    TextTable segments(List<CurveSegments.SegmentRow> rows) {
+        var heads =
+                new ArrayList<>(
+                        List.of(
+                                texts.text("chart.flatness"),
+                                texts.text("chart.method"),
+                                texts.text("chart.segments"),
+                                texts.text("chart.error")));
+        for (long times : CurveSegments.TIMES) heads.add(texts.text("chart.drawn", times));
+        var table = new TextTable(heads);
+        for (CurveSegments.SegmentRow row : rows) {
+            var cells =
+                    new ArrayList<>(
+                            List.of(
+                                    String.format(texts.locale(), "%.4g", row.flatness()),
+                                    row.method(),
+                                    String.format(texts.locale(), "%.1f", row.segments()),
+                                    thousandths(row.error())));
+            for (int i = 0; i < CurveSegments.TIMES.size(); i++)
+                cells.add(row.nanos().isEmpty() ? "-" : price(row, i));
+            table.add(cells);
+        }
+        return table;
+    }
+
+    private String price(CurveSegments.SegmentRow row, int place) {
+        String nanos = String.format(texts.locale(), "%.0f", row.nanos().get(place));
+        return row.chosen().get(place) ? "*" + nanos : nanos;
+    }
+
     TextTable growth(GrowthChart growth) {
         var table =
                 new TextTable(

@@ -169,8 +169,11 @@ public final class StudyWords {
      */
     public String frontTitle(Study study, String workload) {
         if (workload.isEmpty()) return title(study);
+        String key = costKey.equals(RATIO) ? TIMED : costKey;
         return texts.text(
-                "front.title", called.topic(study.topic()), workload(study.topic(), workload));
+                key.replace("chart.", "front.title."),
+                called.topic(study.topic()),
+                workload(study.topic(), workload));
     }
 
     /** How the chart of a front is read, and who could not be timed. */

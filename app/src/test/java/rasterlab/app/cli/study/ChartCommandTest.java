@@ -272,7 +272,8 @@ class ChartCommandTest {
                 .assertComplains(
                         2,
                         "./lab chart: no chart 'perspektive'; there are perspective, depth-precision,"
-                                + " mach-bands, line-brightness, visibility-growth, sign-map;"
+                                + " mach-bands, line-brightness, visibility-growth, curve-segments,"
+                                + " sign-map;"
                                 + " did you mean 'perspective'?");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
