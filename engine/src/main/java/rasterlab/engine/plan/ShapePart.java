@@ -11,6 +11,7 @@ import rasterlab.engine.light.Light;
 import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.shape.Patch;
 import rasterlab.engine.scene.shape.SceneShape;
 
 /**
@@ -129,6 +130,24 @@ final class ShapePart {
     /** The steps that its faces were made in; empty where they were not. */
     Optional<ShapeSteps> full() {
         return full;
+    }
+
+    /**
+     * Whether it may have fewer faces at all. A mipmap's level is one for each face: on a large
+     * flat one, which no rise keeps small, far and near places would share it.
+     */
+    boolean mayBeCoarser() {
+        return levelsPerPixel == 0 || shape.patches().stream().noneMatch(Patch::isFlat);
+    }
+
+    /** The fewest steps of u that it is made in. */
+    int fewestColumns() {
+        return ShapeSteps.fewestColumns(shape);
+    }
+
+    /** The fewest steps of v that it is made in. */
+    int fewestRows() {
+        return ShapeSteps.fewestRows(shape);
     }
 
     /** Levels for each radian that a normal turns. */

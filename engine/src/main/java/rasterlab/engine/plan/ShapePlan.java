@@ -81,7 +81,8 @@ final class ShapePlan {
                 changed = narrow = true;
             } else {
                 ShapeSteps least = full.get();
-                if (least.faces() >= FEW && alone(part)) least = fewest(part, least);
+                if (least.faces() >= FEW && part.mayBeCoarser() && alone(part))
+                    least = fewest(part, least);
                 changed |= least.faces() < full.get().faces();
                 any = true;
                 steps.addAll(List.of(least.u(), least.v()));
@@ -181,8 +182,7 @@ final class ShapePlan {
     /** The fewest steps in a proportion for which a few places are within the tolerance. */
     private ShapeSteps begin(double u, double v, ShapePart part, ShapeSteps full) {
         double perUnit = pixelsPerUnit(part);
-        double finest =
-                Math.max(full.u() / Math.max(u, 1e-9 * v), full.v() / Math.max(v, 1e-9 * u));
+        double finest = Math.max(u > 0 ? full.u() / u : 0, v > 0 ? full.v() / v : 0);
         int low = 1;
         int high = PARTS;
         while (low < high) {
@@ -196,7 +196,9 @@ final class ShapePlan {
 
     private static ShapeSteps glance(
             double scale, double u, double v, ShapePart part, ShapeSteps full) {
-        return part.atLeast(steps(scale * u, 4, full.u()), steps(scale * v, 3, full.v()));
+        return part.atLeast(
+                steps(scale * u, part.fewestColumns(), full.u()),
+                steps(scale * v, part.fewestRows(), full.v()));
     }
 
     /** Takes away steps while that is enough, of the direction first that saves more faces. */
@@ -206,9 +208,9 @@ final class ShapePlan {
             boolean rows = best.u() > best.v();
             int u = best.u();
             int v = best.v();
-            if (v > 3 && rows && enough(u, v - 1, part, full, perUnit)) v--;
-            else if (u > 4 && enough(u - 1, v, part, full, perUnit)) u--;
-            else if (v > 3 && !rows && enough(u, v - 1, part, full, perUnit)) v--;
+            if (v > part.fewestRows() && rows && enough(u, v - 1, part, full, perUnit)) v--;
+            else if (u > part.fewestColumns() && enough(u - 1, v, part, full, perUnit)) u--;
+            else if (v > part.fewestRows() && !rows && enough(u, v - 1, part, full, perUnit)) v--;
             else return best;
             best = part.steps(u, v);
         }

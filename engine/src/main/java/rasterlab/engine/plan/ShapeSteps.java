@@ -15,6 +15,9 @@ import rasterlab.engine.scene.shape.SurfacePoint;
  * along which a quadrilateral is cut. The diagonal's also holds the part s·s′·|P_uv|/4 by which the
  * places of a texture are drawn aside. Normals are compared in the same places.
  *
+ * <p>Where rows are few, a profile may bend both ways within one, so that it is compared at more
+ * places than the middle. A flat part is off at its border alone: it needs no steps of its own.
+ *
  * <p>On the outline a place may be seen with the normal of any place of its step, since a rise
  * κs²/8 hides or shows as much: there the normal is off by up to half of what it turns over the
  * step.
@@ -35,6 +38,11 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
     /** Columns of cells that are looked at. */
     private static final int COLUMNS = 24;
 
+    /** Where rows are fewer, a profile is compared at {@value #PLACES} places of each. */
+    private static final int BENT = 16;
+
+    private static final int PLACES = 7;
+
     /** Rows and columns of a first look. */
     private static final int FEW = 4;
 
@@ -54,7 +62,7 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
         for (Patch patch : shape.patches()) {
             int across = patch.vSteps(v);
             faces += u * across;
-            var cell = new Cell(patch);
+            var cell = new Cell(patch, rows > FEW && across < BENT ? PLACES : 1);
             int some = Math.min(u, columns);
             int few = Math.min(across, rows);
             for (int i = 0; i < some; i++)
@@ -90,35 +98,67 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
                 if (first < 0) first = f;
                 faces++;
             }
-        if (first < 0 || shape.patches().size() != 1) return Optional.empty();
+        if (first < 0) return Optional.empty();
         Patch patch = shape.patches().get(0);
         var point = new SurfacePoint();
         int least = patch.u().round() ? 3 : 1;
         for (int u = least; u <= faces; u++) {
-            if (faces % u != 0 || patch.vSteps(faces / u) != faces / u) continue;
+            int v = faces % u == 0 ? rows(shape, faces / u) : 0;
+            if (v == 0) continue;
             int corner = mesh.corner(first, mesh.cornerCount(first) - 2);
             double low = patch.v().from();
-            double high = at(low, patch.v().to(), 1, faces / u);
+            double high = at(low, patch.v().to(), 1, patch.vSteps(v));
             patch.at(at(patch.u().from(), patch.u().to(), 1, u), high, point);
             double size = Math.abs(point.x()) + Math.abs(point.y()) + Math.abs(point.z());
             double apart =
                     Math.abs(mesh.x(corner) - point.x())
                             + Math.abs(mesh.y(corner) - point.y())
                             + Math.abs(mesh.z(corner) - point.z());
-            if (apart <= 1e-9 * (1 + size)) return Optional.of(of(shape, u, faces / u));
+            if (apart <= 1e-9 * (1 + size)) return Optional.of(of(shape, u, v));
         }
         return Optional.empty();
+    }
+
+    /** The steps of v for which all patches together have so many rows; 0 for none. */
+    private static int rows(SceneShape shape, int rows) {
+        for (int v = rows; v > 0; v--) {
+            int all = 0;
+            for (Patch patch : shape.patches()) all += patch.vSteps(v);
+            if (all == rows) return v;
+            if (all < rows) return 0;
+        }
+        return 0;
+    }
+
+    /** The fewest steps of v that a plan makes: no poles and no way round need but one. */
+    static int fewestRows(SceneShape shape) {
+        int fewest = 1;
+        for (Patch patch : shape.patches()) {
+            boolean poles = patch.isPole(patch.v().from()) || patch.isPole(patch.v().to());
+            if (patch.vSteps(2) > 1 && (patch.v().round() || poles)) fewest = 3;
+        }
+        return fewest;
+    }
+
+    /** The fewest steps of u that a plan makes. */
+    static int fewestColumns(SceneShape shape) {
+        return shape.patches().stream().anyMatch(patch -> patch.u().round()) ? 4 : 1;
     }
 
     /** One cell's corners and the places between them. */
     private static final class Cell {
         private final Patch patch;
+        private final int places;
         private final SurfacePoint point = new SurfacePoint();
         private double sag;
         private double bend;
 
-        Cell(Patch patch) {
+        /**
+         * @param places between two rows that are compared
+         */
+        Cell(Patch patch, int places) {
             this.patch = patch;
+            this.places = places;
         }
 
         void look(double u0, double u1, double v0, double v1) {
@@ -127,12 +167,26 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
             double[] c = at(u1, v1);
             double[] d = at(u0, v1);
             double u = (u0 + u1) / 2;
-            double v = (v0 + v1) / 2;
-            compare(a, b, u, v0);
-            compare(d, c, u, v1);
-            compare(a, d, u0, v);
-            compare(b, c, u1, v);
-            compare(a, c, u, v);
+            if (patch.isFlat()) {
+                border(a, b, u, v0);
+                border(d, c, u, v1);
+                return;
+            }
+            compare(a, b, 0.5, u, v0);
+            compare(d, c, 0.5, u, v1);
+            for (int k = 1; k <= places; k++) {
+                double part = (double) k / (places + 1);
+                double v = v0 + part * (v1 - v0);
+                compare(a, d, part, u0, v);
+                compare(b, c, part, u1, v);
+                compare(a, c, part, u0 + part * (u1 - u0), v);
+            }
+        }
+
+        /** A side of a flat patch, which is off the surface only if it is one of its border. */
+        private void border(double[] p, double[] q, double u, double v) {
+            boolean end = v == patch.v().from() || v == patch.v().to();
+            if (end) sag = Math.max(sag, apart(p, q, 0.5, at(u, v)));
         }
 
         private double[] at(double u, double v) {
@@ -149,21 +203,27 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
             };
         }
 
-        private void compare(double[] p, double[] q, double u, double v) {
-            double[] there = at(u, v);
+        private static double apart(double[] p, double[] q, double part, double[] there) {
             double off = 0;
+            for (int i = 0; i < 3; i++) {
+                double aside = p[i] + part * (q[i] - p[i]) - there[i];
+                off += aside * aside;
+            }
+            return Math.sqrt(off);
+        }
+
+        private void compare(double[] p, double[] q, double part, double u, double v) {
+            double[] there = at(u, v);
             double dot = 0;
             double length = 0;
             for (int i = 0; i < 3; i++) {
-                double middle = (p[i] + q[i]) / 2 - there[i];
-                off += middle * middle;
-                double mixed = (p[3 + i] + q[3 + i]) / 2;
+                double mixed = p[3 + i] + part * (q[3 + i] - p[3 + i]);
                 dot += mixed * there[3 + i];
                 length += mixed * mixed;
             }
-            sag = Math.max(sag, Math.sqrt(off));
+            sag = Math.max(sag, apart(p, q, part, there));
             if (patch.isPole(v)) return;
-            sag = Math.max(sag, drawnAside(p, q, there));
+            sag = Math.max(sag, drawnAside(p, q, part, there));
             double cosine = length > 0 ? dot / Math.sqrt(length) : -1;
             bend = Math.max(bend, Math.acos(Math.max(-1, Math.min(1, cosine))));
             double turned = p[3] * q[3] + p[4] * q[4] + p[5] * q[5];
@@ -171,8 +231,11 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
         }
 
         /** How far a texture is drawn aside, in the share of the way that its coordinates are. */
-        private static double drawnAside(double[] p, double[] q, double[] there) {
-            double aside = Math.hypot((p[6] + q[6]) / 2 - there[6], (p[7] + q[7]) / 2 - there[7]);
+        private static double drawnAside(double[] p, double[] q, double part, double[] there) {
+            double aside =
+                    Math.hypot(
+                            p[6] + part * (q[6] - p[6]) - there[6],
+                            p[7] + part * (q[7] - p[7]) - there[7]);
             if (aside < 1e-12) return 0;
             double way = Math.hypot(q[6] - p[6], q[7] - p[7]);
             double x = q[0] - p[0];

@@ -3,12 +3,16 @@ package rasterlab.engine.plan;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.contract.SplineEnds;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.scene.shape.Cylinder;
+import rasterlab.engine.scene.shape.Revolution;
 import rasterlab.engine.scene.shape.ShapeSurfaces;
 
 class ShapeStepsTest {
@@ -24,7 +28,7 @@ class ShapeStepsTest {
     }
 
     @ParameterizedTest(name = "{0} in detail {1} is taken for other steps")
-    @CsvSource({"sphere, 32", "torus, 48", "globe, 20", "torus, 100"})
+    @CsvSource({"sphere, 32", "torus, 48", "globe, 20", "torus, 100", "revolution, 40"})
     void stepsOfAMeshAreFound(String name, int detail) {
         Scene scene = Scenes.named(name, detail);
         var shapes = ((ShapeSurfaces) scene.surfaces().orElseThrow()).shapes();
@@ -46,5 +50,28 @@ class ShapeStepsTest {
                 assertTrue(glance.bend() <= whole.bend(), glance + " above " + whole);
                 assertTrue(glance.sag() >= whole.sag() / 4, glance + " says little of " + whole);
             }
+    }
+
+    @Test
+    @DisplayName("a disc, whose faces lie in its plane, is cut finer than the wall it closes")
+    void flatPartsNeedNoStepsOfTheirOwn() {
+        var closed = ShapeSteps.of(Cylinder.closed(50, 100), 24, 1);
+        var open = ShapeSteps.of(Cylinder.open(50, 100), 24, 1);
+        assertEquals(open.sag(), closed.sag(), 1e-9);
+        assertEquals(open.bend(), closed.bend(), 1e-9);
+    }
+
+    @Test
+    @DisplayName(
+            "a profile that bends both ways is taken for straight, since its middle is on the chord")
+    void profileIsComparedAtMorePlacesThanTheMiddle() {
+        var wave =
+                new Revolution(
+                        new double[] {-2, -1, 0, 1, 2},
+                        new double[] {5, 6, 5, 4, 5},
+                        SplineEnds.natural(),
+                        false,
+                        false);
+        assertTrue(ShapeSteps.of(wave, 400, 1).sag() > 0.9, "rises and falls by 1");
     }
 }

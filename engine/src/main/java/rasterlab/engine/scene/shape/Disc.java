@@ -12,6 +12,11 @@ record Disc(double height, double radius, boolean up) implements Patch {
     static final double BEYOND = 1 + 0x1p-45;
 
     @Override
+    public boolean isFlat() {
+        return true;
+    }
+
+    @Override
     public Span u() {
         return Span.turn();
     }

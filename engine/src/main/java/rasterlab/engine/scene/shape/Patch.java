@@ -23,6 +23,14 @@ public interface Patch {
         return false;
     }
 
+    /**
+     * Whether all of it lies in one plane, its texture laid evenly: however few its faces are, they
+     * are off at its border alone.
+     */
+    default boolean isFlat() {
+        return false;
+    }
+
     /** How many steps of v a mesh makes where {@code asked} are asked for. */
     default int vSteps(int asked) {
         return asked;

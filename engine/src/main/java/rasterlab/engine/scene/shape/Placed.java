@@ -90,6 +90,11 @@ public final class Placed implements SceneShape {
         }
 
         @Override
+        public boolean isFlat() {
+            return patch.isFlat();
+        }
+
+        @Override
         public Span u() {
             return patch.u();
         }

@@ -65,6 +65,11 @@ public final class Quad implements SceneShape, Patch {
     }
 
     @Override
+    public boolean isFlat() {
+        return true;
+    }
+
+    @Override
     public Span u() {
         return new Span(-1, 1, false);
     }

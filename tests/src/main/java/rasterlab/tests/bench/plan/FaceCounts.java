@@ -21,8 +21,8 @@ import rasterlab.tests.bench.language.BenchWords;
  *
  * <p>Both are in even steps of two directions, and what they and the full mesh are off the surface
  * is half of the tolerance at most. Levels are many, so that no light decides, and the projection
- * is parallel, so that a pixel is as large everywhere. The vase stands on a disc, whose texture a
- * single row of faces would move by more than that: its faces stay as they are.
+ * is parallel, so that a pixel is as large everywhere. The disc that the vase stands on is flat: it
+ * has one face for each step once round.
  *
  * @param scene its name
  * @param pixels of the tolerance
@@ -56,11 +56,14 @@ public record FaceCounts(String scene, double pixels, int planned, int fewest) {
                         WIDTH,
                         HEIGHT);
         Plan plan = new Planner(1, Costs.measured()).plan(asked, new Tolerance(pixels, 255, 0));
-        Patch patch =
-                ((ShapeSurfaces) scene.surfaces().orElseThrow()).shapes().get(0).patches().get(0);
+        List<Patch> patches =
+                ((ShapeSurfaces) scene.surfaces().orElseThrow()).shapes().get(0).patches();
+        Patch patch = patches.get(0);
         double perUnit = PictureFit.of(WIDTH, HEIGHT, scene.pictureScale()).pixelsPerUnit();
         double own = FewestFaces.distance(patch, DETAIL, DETAIL / 2);
-        FewestFaces fewest = FewestFaces.of(patch, pixels / 2 / perUnit - own, DETAIL, DETAIL / 2);
+        FewestFaces fewest =
+                FewestFaces.of(
+                        patch, patches.size() - 1, pixels / 2 / perUnit - own, DETAIL, DETAIL / 2);
         return new FaceCounts(
                 name, pixels, plan.least().scene().mesh().faceCount(), fewest.faces());
     }

@@ -13,8 +13,9 @@ import rasterlab.engine.scene.shape.SurfacePoint;
  *
  * @param uSteps steps once round
  * @param vSteps steps across
+ * @param discs that close it, which have a face for each step once round
  */
-record FewestFaces(int uSteps, int vSteps) {
+record FewestFaces(int uSteps, int vSteps, int discs) {
     FewestFaces {
         Bounds.requireAtLeast("uSteps", uSteps, 1);
         Bounds.requireAtLeast("vSteps", vSteps, 1);
@@ -26,18 +27,19 @@ record FewestFaces(int uSteps, int vSteps) {
     private static final int PLACES = 8;
 
     int faces() {
-        return uSteps * vSteps;
+        return uSteps * (vSteps + discs);
     }
 
     /**
      * Tries all steps up to the finest ones; for each u the fewest v by halving.
      *
+     * @param discs that close the surface
      * @param most the distance allowed, world units; the finest steps must be within it
      */
-    static FewestFaces of(Patch patch, double most, int finestU, int finestV) {
-        var best = new FewestFaces(finestU, finestV);
-        for (int u = COARSEST; u * COARSEST < best.faces() && u <= finestU; u++) {
-            int high = Math.min(finestV, (best.faces() - 1) / u);
+    static FewestFaces of(Patch patch, int discs, double most, int finestU, int finestV) {
+        var best = new FewestFaces(finestU, finestV, discs);
+        for (int u = COARSEST; u * (COARSEST + discs) < best.faces() && u <= finestU; u++) {
+            int high = Math.min(finestV, (best.faces() - 1) / u - discs);
             if (distance(patch, u, high) > most) continue;
             int low = COARSEST;
             while (low < high) {
@@ -45,7 +47,7 @@ record FewestFaces(int uSteps, int vSteps) {
                 if (distance(patch, u, middle) <= most) high = middle;
                 else low = middle + 1;
             }
-            best = new FewestFaces(u, high);
+            best = new FewestFaces(u, high, discs);
         }
         return best;
     }

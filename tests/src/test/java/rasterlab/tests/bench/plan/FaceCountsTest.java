@@ -18,7 +18,7 @@ import rasterlab.tests.bench.language.BenchWords;
 
 class FaceCountsTest {
     @ParameterizedTest(name = "a plan of {0} has more faces than it may")
-    @ValueSource(strings = {"sphere", "torus"})
+    @ValueSource(strings = {"sphere", "torus", "revolution"})
     void plansHaveFewFaces(String scene) {
         FaceCounts counts = FaceCounts.of(scene, 2);
         assertTrue(counts.fewest() > 100, counts.toString());
@@ -30,7 +30,7 @@ class FaceCountsTest {
     @CsvSource({"0.4", "1", "3"})
     void noOtherStepsHaveFewerFaces(double most) {
         for (Patch patch : List.of(patch(new Sphere(50)), patch(new Torus(60, 20)))) {
-            FewestFaces found = FewestFaces.of(patch, most, 60, 40);
+            FewestFaces found = FewestFaces.of(patch, 0, most, 60, 40);
             int fewest = 60 * 40;
             for (int u = 3; u <= 60; u++)
                 for (int v = 3; v <= 40; v++)
