@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -20,6 +21,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
@@ -146,6 +149,15 @@ class GradingLifeTest {
             assertEquals(GradingVerdict.OK, report.verdict(), report::toString);
             assertEquals("process limits only", report.isolation());
         }
+    }
+
+    @ParameterizedTest(name = "on {0} cores more or fewer children wait than cores and one")
+    @CsvSource({"1, 1, 1", "2, 1, 2", "4, 1, 4", "8, 3, 6"})
+    void oneMoreThanCoresWaits(int cores, int compiling, int running) {
+        assertEquals(cores + 1, compiling + running);
+        assertEquals(
+                Map.of(ChildKind.COMPILE, compiling, ChildKind.RUN, running),
+                Children.reserve(cores));
     }
 
     @Test
