@@ -6,11 +6,10 @@ import java.nio.channels.FileLock;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
-import java.nio.file.OpenOption;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.UserPrincipal;
-import java.util.HashSet;
 import java.util.List;
 
 /**
@@ -20,6 +19,7 @@ import java.util.List;
 final class ChildFolder implements AutoCloseable {
     private static final String PREFIX = "rasterlab-children-";
     private static final String LOCK = "lock";
+    private static final String UNNAMED = "new-lock";
 
     /** Opening and closing a lock file of this very process would give up the lock on it. */
     private static final String OWN_PREFIX = PREFIX + ProcessHandle.current().pid() + "-";
@@ -33,8 +33,12 @@ final class ChildFolder implements AutoCloseable {
         this.path = path;
         this.owner = Files.getOwner(path);
         this.files = files;
-        this.lock = openLock(path, StandardOpenOption.CREATE_NEW);
+        // it is locked before it has its name: another judge would take an unlocked one for left
+        Path unnamed = path.resolve(UNNAMED);
+        this.lock =
+                FileChannel.open(unnamed, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
         if (lock.tryLock() == null) throw new IOException(path + " is locked by another process");
+        Files.move(unnamed, path.resolve(LOCK), StandardCopyOption.ATOMIC_MOVE);
     }
 
     /**
@@ -66,12 +70,9 @@ final class ChildFolder implements AutoCloseable {
         }
     }
 
-    private static FileChannel openLock(Path folder, StandardOpenOption... more)
-            throws IOException {
-        var options = new HashSet<OpenOption>(List.of(more));
-        options.add(StandardOpenOption.WRITE);
-        options.add(LinkOption.NOFOLLOW_LINKS);
-        return FileChannel.open(folder.resolve(LOCK), options);
+    private static FileChannel openLock(Path folder) throws IOException {
+        return FileChannel.open(
+                folder.resolve(LOCK), StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
     }
 
     /** Removes what a judge puts there; a folder that holds more than that stays. */
