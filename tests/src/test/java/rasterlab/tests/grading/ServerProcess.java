@@ -21,6 +21,9 @@ import rasterlab.tests.process.JavaCommand;
  */
 public record ServerProcess(Process process, URI address, String token, Path log)
         implements AutoCloseable {
+    /** Images of Java that all tests of the module share, as each takes seconds to make. */
+    static final Path IMAGES = Path.of("target", "java-images").toAbsolutePath();
+
     private static final String LISTENING = "listening on ";
     private static final String TOKEN = "instructor token: ";
 
@@ -58,9 +61,7 @@ public record ServerProcess(Process process, URI address, String token, Path log
         var java = new ArrayList<>(ChildProcess.SHORT_LIVED);
         if (Runtime.version().feature() >= 24) java.add("--enable-native-access=ALL-UNNAMED");
         var arguments = new ArrayList<>(List.of("serve", "--data", data.toString()));
-        // shared by all tests of the module, as images of Java take seconds to make
-        var images = Path.of("target", "java-images").toAbsolutePath();
-        arguments.addAll(List.of("--java-images", images.toString()));
+        arguments.addAll(List.of("--java-images", IMAGES.toString()));
         arguments.addAll(List.of(options));
         return JavaCommand.of(java, "rasterlab.grader.MainKt", arguments);
     }

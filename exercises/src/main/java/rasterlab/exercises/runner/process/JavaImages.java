@@ -172,8 +172,7 @@ public final class JavaImages {
                 "-Xshare:dump",
                 "-XX:+UseSerialGC",
                 "-Xlog:disable",
-                "-XX:SharedClassListFile=" + list,
-                "-XX:SharedArchiveFile=" + image.resolve("lib/server/classes.jsa"));
+                "-XX:SharedClassListFile=" + list);
     }
 
     /** Lets a child answer once and end by itself, as its input does. */
