@@ -108,12 +108,9 @@ class ErrorMap(
     private fun fingerprint(marks: List<CaseMark>) =
         marks
             .joinToString("\n") { mark ->
-                val answer = if (mark.name in drawn) "" else "${answer(mark.said).data()} ${mark.picture}"
+                val answer = if (mark.name in drawn) "" else "${mark.answer} ${mark.picture}"
                 "${mark.name} ${mark.verdict} $answer"
             }.toByteArray()
-
-    /** The sentences without those that explain all failures together, which may be of other cases. */
-    private fun answer(said: Message) = Message(said.sentences.takeWhile { !it.key.startsWith("cause.") })
 
     /** The mistake that a report tells to explain all that is wrong, or else the one that each of [marks] shows. */
     private fun mistake(

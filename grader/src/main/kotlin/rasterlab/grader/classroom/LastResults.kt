@@ -6,7 +6,6 @@ package rasterlab.grader.classroom
 
 import org.jdbi.v3.core.Handle
 import rasterlab.exercises.score.CasePicture
-import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
@@ -14,6 +13,7 @@ import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.PixelRows
 import rasterlab.grader.storage.Database
 import java.security.MessageDigest
+import java.util.HexFormat
 import kotlin.jvm.optionals.getOrNull
 
 /**
@@ -32,6 +32,9 @@ class CaseMark(
     val pixels: Boolean,
 ) {
     val passed get() = verdict == GradingVerdict.OK
+
+    /** The words on the answer, as data, without the sentences that explain all failures together. */
+    internal val answer by lazy { Message(said.sentences.takeWhile { !it.key.startsWith("cause.") }).data() }
 }
 
 /**
@@ -41,7 +44,7 @@ class CaseMark(
  * @param cases without the lines on speed and on points that are taken off; none where nothing ran
  * @param shared the mistake that the report tells to explain all that is wrong; nothing where it tells none
  */
-class LastResult(
+data class LastResult(
     val student: String,
     val name: String,
     val submission: String,
@@ -61,33 +64,37 @@ class DrawnDifference(
 class LastResults(
     private val database: Database,
 ) {
+    private val known = KnownMarks()
+
     /** Reads those of a course for an exercise, in the order of the students' names. */
     fun of(
         course: String,
         exercise: String,
     ): List<LastResult> =
         database.read { handle ->
-            val pictures = pictures(handle, course, exercise)
-            val cases = cases(handle, course, exercise, pictures)
-            val shared = shared(handle, course, exercise)
-            handle
-                .last(
-                    course,
-                    exercise,
-                    "students.id AS student, students.shown_name, last.id, last.attempt, last.result, last.verdict",
-                    "JOIN students ON students.id = last.student_id",
-                    "ORDER BY students.shown_name, students.number",
-                ).map { row, _ ->
-                    LastResult(
-                        row.getString("student"),
-                        row.getString("shown_name"),
-                        row.getString("id"),
-                        row.getInt("attempt"),
-                        row.getString("verdict"),
-                        cases[row.getString("result")].orEmpty(),
-                        shared[row.getString("result")] ?: Message.NONE,
-                    )
-                }.list()
+            val rows =
+                handle
+                    .last(
+                        course,
+                        exercise,
+                        "students.id AS student, students.shown_name, last.id, last.attempt, last.result, last.verdict",
+                        "JOIN students ON students.id = last.student_id",
+                        "ORDER BY students.shown_name, students.number",
+                    ).map { row, _ ->
+                        val without =
+                            LastResult(
+                                row.getString("student"),
+                                row.getString("shown_name"),
+                                row.getString("id"),
+                                row.getInt("attempt"),
+                                row.getString("verdict"),
+                                emptyList(),
+                                Message.NONE,
+                            )
+                        row.getString("result") to without
+                    }.list()
+            val marks = known.of(handle, rows.map { it.first })
+            rows.map { (result, one) -> marks.getValue(result).let { one.copy(cases = it.cases, shared = it.shared) } }
         }
 
     /** The differences in pixels of one case. */
@@ -119,91 +126,6 @@ class LastResults(
         val known = PicturePart.ofData(part).getOrNull() ?: return null
         return DrawnDifference(PixelRows.of(text, PicturePart.ofData(part)), known)
     }
-
-    private fun cases(
-        handle: Handle,
-        course: String,
-        exercise: String,
-        pictures: Map<Pair<String, Int>, Pictures>,
-    ): Map<String, List<CaseMark>> =
-        handle
-            .last(
-                course,
-                exercise,
-                "judged.*",
-                "JOIN case_results AS judged ON judged.result_id = last.result",
-                "ORDER BY judged.position",
-            ).map { row, _ ->
-                val result = row.getString("result_id")
-                val drawn = pictures[result to row.getInt("position")]
-                val verdict = GradingVerdict.valueOf(row.getString("verdict"))
-                val said =
-                    if (verdict in TOLD) {
-                        Message.ofData(row.getString("message_data"), row.getString("message"))
-                    } else {
-                        Message.NONE
-                    }
-                result to
-                    CaseMark(
-                        row.getString("name"),
-                        Disclosure.valueOf(row.getString("visibility")),
-                        verdict,
-                        said,
-                        drawn?.answer.orEmpty(),
-                        drawn?.pixels ?: false,
-                    )
-            }.list()
-            .filter { (_, mark) -> CaseReport.ownTitle(mark.name, "en").isEmpty }
-            .groupBy({ it.first }, { it.second })
-
-    private fun shared(
-        handle: Handle,
-        course: String,
-        exercise: String,
-    ): Map<String, Message> =
-        handle
-            .last(
-                course,
-                exercise,
-                "said.result_id, said.message, said.message_data",
-                "JOIN diagnostics AS said ON said.result_id = last.result",
-                "AND said.message_data LIKE '%\"cause.shared%'",
-            ).map { row, _ ->
-                row.getString("result_id") to Message.ofData(row.getString("message_data"), row.getString("message"))
-            }.list()
-            .toMap()
-
-    private fun pictures(
-        handle: Handle,
-        course: String,
-        exercise: String,
-    ): Map<Pair<String, Int>, Pictures> {
-        val found = HashMap<Pair<String, Int>, Pictures>()
-        handle
-            .last(
-                course,
-                exercise,
-                """drawn.result_id, drawn.case_position, drawn.kind, drawn.part,
-                   CASE WHEN drawn.kind = '${CasePicture.ACTUAL}' THEN drawn.png END AS answer""",
-                "JOIN case_pictures AS drawn ON drawn.result_id = last.result",
-                "AND drawn.kind IN ('${CasePicture.ACTUAL}', '${CasePicture.DIFFERENCE}')",
-            ).map { row, _ ->
-                val of = found.getOrPut(row.getString("result_id") to row.getInt("case_position")) { Pictures() }
-                row.getBytes("answer")?.let { of.answer = hash(it) }
-                if (row.getString("kind") == CasePicture.DIFFERENCE && row.getString("part") != null) of.pixels = true
-            }.list()
-        return found
-    }
-
-    private class Pictures {
-        var answer = ""
-        var pixels = false
-    }
-
-    private companion object {
-        /** Verdicts whose words tell one wrong answer from another, and are the same for the same program. */
-        val TOLD = setOf(GradingVerdict.WRONG, GradingVerdict.RUNTIME_ERROR)
-    }
 }
 
 /** A question about the last results, as the rows of `last`. */
@@ -228,4 +150,4 @@ private const val LAST = """WITH last AS (
 
 /** Hash of what is shown, to tell whether two answers are one. */
 internal fun hash(bytes: ByteArray): String =
-    MessageDigest.getInstance("SHA-256").digest(bytes).joinToString("") { "%02x".format(it) }
+    HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes))

@@ -32,6 +32,7 @@ import rasterlab.grader.assertProblem
 import rasterlab.grader.cookieOf
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
 import rasterlab.grader.text
 import java.nio.file.Path
 import java.util.Optional
@@ -97,6 +98,25 @@ class ErrorMapTest {
     private fun JsonObject.case(name: String) =
         list("cases").map { it.jsonObject }.single { it.text("name") == name }.run {
             listOf("passed", "failed", "nobodyPasses").map { text(it) }
+        }
+
+    @Test
+    @DisplayName("each look reads all cases and pictures again, or misses what was graded since")
+    fun whatWasReadIsKept() =
+        classroom().open {
+            val course = newCourse()
+            hand(newStudent(course), "#+- ok")
+            val last = LastResults(database)
+            val id = one("SELECT id FROM courses")
+            val failed = { last.of(id, "draw-dot").map { one -> one.cases.filterNot { it.passed }.map { it.name } } }
+            assertEquals(listOf(listOf("first")), failed())
+            database.write { handle ->
+                handle.execute("DELETE FROM case_pictures")
+                handle.execute("DELETE FROM case_results")
+            }
+            assertEquals(listOf(listOf("first")), failed())
+            hand(newStudent(course), "#+- +")
+            assertEquals(listOf(listOf("first"), listOf("first", "drawn")), failed())
         }
 
     @Test
