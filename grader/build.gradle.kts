@@ -13,6 +13,7 @@ dependencies {
     implementation(libs.jackson.databind)
     implementation(libs.jackson.dataformat.csv)
     implementation(libs.jackson.dataformat.yaml)
+    implementation(libs.java.diff.utils)
     implementation(libs.micrometer.registry.prometheus)
     implementation(libs.oauth2.oidc.sdk)
     implementation(libs.picocli)

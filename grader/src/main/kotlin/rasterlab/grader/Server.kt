@@ -33,9 +33,14 @@ import rasterlab.grader.comment.Comments
 import rasterlab.grader.comment.KeptComments
 import rasterlab.grader.comment.comments
 import rasterlab.grader.comment.courseComments
+import rasterlab.grader.comparison.VersionPairs
+import rasterlab.grader.comparison.comparisons
+import rasterlab.grader.complaint.ComplaintDesk
+import rasterlab.grader.complaint.complaints
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Identity
 import rasterlab.grader.course.RosterImport
 import rasterlab.grader.course.Staff
 import rasterlab.grader.course.byToken
@@ -97,6 +102,9 @@ import rasterlab.grader.web.classroom.frontPages
 import rasterlab.grader.web.comment.CommentedSource
 import rasterlab.grader.web.comment.commentPages
 import rasterlab.grader.web.comment.questionPages
+import rasterlab.grader.web.comparison.comparePages
+import rasterlab.grader.web.complaint.CaseComplaints
+import rasterlab.grader.web.complaint.complaintPages
 import rasterlab.grader.web.exam.examPages
 import rasterlab.grader.web.institution.institutionPages
 import rasterlab.grader.web.monitoring
@@ -197,6 +205,17 @@ class Server(
             settings.name,
             Presence(workers, own),
         )
+    private val complaints =
+        ComplaintDesk(
+            database,
+            courses,
+            exercises,
+            regrades,
+            { who, id -> results.view(who, id).cases },
+            queue::ring,
+            clock,
+        )
+    private val pairs = VersionPairs(submissions, results)
     private val exams = Exams(database, steady)
     private val sittings = Sittings(database, exercises, intake, steady, queue::ring)
     private val pageParts =
@@ -223,6 +242,9 @@ class Server(
             adjustments,
             comments,
             CommentedSource(comments, keptComments, courses),
+            CaseComplaints(complaints, ::isFree),
+            ::isFree,
+            complaints,
             similar,
             live,
             workers,
@@ -230,6 +252,9 @@ class Server(
             sittings::closedTo,
             clock,
         )
+
+    /** Whether somebody has no exam now, beside which there is nothing. */
+    private fun isFree(who: Identity) = who !is Identity.StudentIdentity || sittings.holding(who) == null
 
     /** Begins to grade what waits. */
     fun startGrading() {
@@ -260,6 +285,8 @@ class Server(
             examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
             errorPages(accounts, courses, exercises, last)
             commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
+            comparePages(accounts, exercises, pairs)
+            complaintPages(accounts, courses, exercises, submissions, complaints, pageParts.resultPage)
             questionPages(accounts, courses, exercises, comments, keptComments)
             effortPages(accounts, courses, exercises, efforts)
             frontPages(accounts, courses, exercises, front)
@@ -286,6 +313,8 @@ class Server(
                     exams(courses, exercises, exams, sittings)
                     comments(submissions, comments)
                     courseComments(courses, comments, keptComments)
+                    comparisons(pairs)
+                    complaints(submissions, courses, complaints)
                     results(results, live)
                 }
             }

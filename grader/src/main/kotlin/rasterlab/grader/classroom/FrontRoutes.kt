@@ -2,6 +2,7 @@ package rasterlab.grader.classroom
 
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
+import io.ktor.server.routing.put
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.engine.Topics
@@ -11,6 +12,8 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.rules.course
 import rasterlab.grader.similarity.written
@@ -18,6 +21,13 @@ import java.math.BigDecimal
 import java.math.MathContext
 import java.math.RoundingMode
 
+/** @param named whether the class reads the name of whoever asks on its charts */
+@Serializable
+private data class FrontNameAnswer(
+    val named: Boolean,
+)
+
+/** @param name of a student who wants it to be read; null of all others */
 @Serializable
 private data class PlaceAnswer(
     val ratio: Double,
@@ -25,6 +35,7 @@ private data class PlaceAnswer(
     val high: Double,
     val error: Double?,
     val own: Boolean,
+    val name: String?,
 )
 
 @Serializable
@@ -58,8 +69,30 @@ fun Route.fronts(
         val exercise = exercises.written(call.parameters.getOrFail("id"))
         val places = front.seenBy(student.id, courses.ofStudent(student.id)?.id.orEmpty(), exercise)
         call.respondJson(
-            answer(exercise, places) { PlaceAnswer(it.median, it.low, it.high, it.error, it.student == student.id) },
+            answer(exercise, places) {
+                PlaceAnswer(
+                    it.median,
+                    it.low,
+                    it.high,
+                    it.error,
+                    it.student == student.id,
+                    it.name.takeIf { _ ->
+                        it.named
+                    },
+                )
+            },
         )
+    }
+    get("/front-name") { call.respondJson(FrontNameAnswer(front.names(call.student().id))) }
+    put("/front-name") {
+        val student = call.student()
+        val named =
+            call.receiveJson("named") {
+                if (!it.has("named")) throw Rejection.Malformed("the body: named is missing")
+                it.flag("named", false)
+            }
+        front.name(student.id, named)
+        call.respondJson(FrontNameAnswer(front.names(student.id)))
     }
     get("/courses/{course}/exercises/{id}/front") {
         call.staff()
@@ -79,6 +112,7 @@ private class RoundedPoint(
 ) {
     val student = point.student
     val name = point.name
+    val named = point.named
     val submission = point.submission
     val median = rounded(point.ratio.median())
     val low = rounded(point.ratio.low())

@@ -76,7 +76,10 @@ class ExamGuard(
         if (submissions.find(submission)?.exercise in kept) throw Rejection.UnknownSubmission(submission)
     }
 
-    /** Whether a path is a picture or the beginning of one of the exam's exercises, or what was handed in at it. */
+    /**
+     * Whether a path is a picture or the beginning of one of the exam's exercises, or what was handed in at it; nobody
+     * complains, or looks at two versions, before the exam is over.
+     */
     private fun belongs(
         sitting: Sitting,
         parts: List<String>,
@@ -84,6 +87,7 @@ class ExamGuard(
         val page = if (parts.take(2) == API) parts.drop(2) else parts
         val submission = submissionIn(page)
         return when {
+            submission != null && page.any { it in NOT_NOW } -> false
             submission != null -> submissions.find(submission)?.let { sittings.hold(sitting, it) } == true
             page.size < 3 || page[0] != "exercises" -> false
             else -> page[1] in sitting.exam.exercises && page[2] in setOf("pictures", "starter")
@@ -95,6 +99,9 @@ class ExamGuard(
 
     internal companion object {
         const val EXAMS = "exams"
+
+        /** Parts of an address that ask for what waits until an exam is over. */
+        private val NOT_NOW = setOf("complaints", "compare")
         val API = listOf("api", "v1")
 
         /** The paths that are for everybody, or lead out; nobody comes back as somebody else from an exam. */

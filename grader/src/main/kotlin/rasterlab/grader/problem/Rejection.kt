@@ -208,6 +208,17 @@ sealed class Rejection(
 
     class ForeignComment : Explained("comments", "foreign", emptyArray(), "foreign-comment")
 
+    /** A complaint that cannot be opened or answered so; nothing is changed. */
+    class BadComplaint(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("complaints", fault, values, "bad-complaint")
+
+    /** The complaint is none of this submission, or of this course. */
+    class UnknownComplaint(
+        id: String,
+    ) : Explained("complaints", "unknown", arrayOf(id), "unknown-complaint")
+
     /** Work came before the exercise opens. */
     class NotOpen(
         exercise: String,

@@ -24,7 +24,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
         is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment, is Rejection.UnknownComment -> NotFound
-        is Rejection.UnknownExam, is Rejection.UnknownWorker -> NotFound
+        is Rejection.UnknownExam, is Rejection.UnknownWorker, is Rejection.UnknownComplaint -> NotFound
         is Rejection.InExam, is Rejection.ExamAddress -> Forbidden
         is Rejection.ExamNotOpen, is Rejection.ExamOver, is Rejection.OtherSession -> Conflict
         is Rejection.RegradeStands -> Conflict

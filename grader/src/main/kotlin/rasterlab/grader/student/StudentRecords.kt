@@ -82,6 +82,18 @@ data class KeptComment(
     val editedAt: String?,
 )
 
+/** A complaint of the student against the result for a case, and its answer; null where there is none yet. */
+@Serializable
+data class KeptComplaint(
+    val submission: String,
+    val case: String,
+    val text: String,
+    val openedAt: String,
+    val state: String,
+    val answer: String?,
+    val answeredAt: String?,
+)
+
 /** The text that the student wrote last for an exercise of an exam. */
 @Serializable
 data class KeptDraft(
@@ -104,6 +116,7 @@ data class KeptExamEvent(
 /**
  * Everything that is kept about a student.
  *
+ * @param namedOnFront whether the class reads the name on its chart of speed and accuracy
  * @param roster what rosters said, by the meaning of the column
  */
 @Serializable
@@ -115,11 +128,13 @@ data class KeptStudent(
     val name: String,
     val shownName: String,
     val joinedAt: String,
+    val namedOnFront: Boolean,
     val roster: Map<String, String>,
     val extensions: List<KeptExtension>,
     val hints: List<KeptHint>,
     val submissions: List<KeptSubmission>,
     val comments: List<KeptComment>,
+    val complaints: List<KeptComplaint> = emptyList(),
     val drafts: List<KeptDraft> = emptyList(),
     val examEvents: List<KeptExamEvent> = emptyList(),
 )
@@ -207,6 +222,7 @@ class StudentRecords(
                     row.getString("name"),
                     row.getString("shown_name"),
                     row.getString("joined_at"),
+                    row.getInt("named_on_front") == 1,
                     emptyMap(),
                     emptyList(),
                     emptyList(),
@@ -221,6 +237,12 @@ class StudentRecords(
                 submissions = handle.of("submissions", "sequence", student) { submission(it, results, points) },
                 comments =
                     handle.rows("$SAID $OWN ORDER BY c.written_at, c.id", student, ::comment),
+                complaints =
+                    handle.rows(
+                        "SELECT c.* FROM complaints c JOIN submissions s ON s.id = c.submission_id $OWN ORDER BY opened_at, c.id",
+                        student,
+                        ::complaint,
+                    ),
                 drafts = handle.of("exam_drafts", "exam_id, exercise", student, ::draft),
                 examEvents = handle.of("exam_events", "exam_id, number", student, ::examEvent),
             ) ?: throw Rejection.UnknownStudent(student)
@@ -263,6 +285,17 @@ class StudentRecords(
             row.getString("text"),
             row.getString("written_at"),
             row.getString("edited_at"),
+        )
+
+    private fun complaint(row: ResultSet) =
+        KeptComplaint(
+            row.getString("submission_id"),
+            row.getString("case_name"),
+            row.getString("text"),
+            row.getString("opened_at"),
+            row.getString("state"),
+            row.getString("answer"),
+            row.getString("answered_at"),
         )
 
     private fun draft(row: ResultSet) =
@@ -334,7 +367,8 @@ class StudentRecords(
         /** The requests that made the student, their submissions, what was said about these, and their hints. */
         const val MADE =
             """made = :student OR made IN ($THEIRS) OR owner = 'hints ' || :student
-               OR made IN (SELECT id FROM comments WHERE submission_id IN ($THEIRS))"""
+               OR made IN (SELECT id FROM comments WHERE submission_id IN ($THEIRS))
+               OR made IN (SELECT id FROM complaints WHERE submission_id IN ($THEIRS))"""
 
         /** The tables of what a student did at exams. */
         val EXAMS = listOf("exam_events", "exam_drafts", "exam_sittings")
@@ -344,6 +378,7 @@ class StudentRecords(
             listOf(
                 "DELETE FROM regrade_items WHERE submission_id IN ($THEIRS)",
                 "DELETE FROM idempotency_keys WHERE $MADE",
+                "DELETE FROM complaints WHERE submission_id IN ($THEIRS)",
             ) +
                 listOf("case_pictures", "case_results", "diagnostics", "speed_methods").map {
                     "DELETE FROM $it WHERE result_id IN ($RUNS)"

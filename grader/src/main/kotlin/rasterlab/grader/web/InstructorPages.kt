@@ -25,6 +25,7 @@ import kotlinx.html.summary
 import kotlinx.html.ul
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.comment.Comments
+import rasterlab.grader.complaint.ComplaintDesk
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
@@ -47,13 +48,15 @@ fun Route.instructorPages(
     exercises: Exercises,
     submissions: Submissions,
     comments: Comments,
+    complaints: ComplaintDesk,
     hints: Hints,
     live: Live,
     isolation: Isolation,
 ) {
     get("/instructor") {
         val who = call.staffHere(accounts)
-        call.respondDesk(who, courses, exercises, submissions, comments.openCounts(), hints.latest(), isolation)
+        val waiting = Waiting(comments.openCounts(), complaints.openCounts())
+        call.respondDesk(who, courses, exercises, submissions, waiting, hints.latest(), isolation)
     }
     get("/instructor/latest") {
         call.staffHere(accounts)
@@ -119,7 +122,7 @@ private suspend fun ApplicationCall.respondDesk(
     courses: Courses,
     exercises: Exercises,
     submissions: Submissions,
-    questions: Map<String, Int>,
+    waiting: Waiting,
     hints: List<HintUse>,
     isolation: Isolation,
 ) {
@@ -130,7 +133,7 @@ private suspend fun ApplicationCall.respondDesk(
         div("columns") {
             section("card") {
                 h2 { +texts.say("instructor.courses") }
-                courseList(texts, students, questions, mayChange)
+                courseList(texts, students, waiting, mayChange)
             }
             if (mayChange) {
                 creation(texts)
@@ -172,14 +175,19 @@ private fun FlowContent.creation(texts: PageTexts) =
         }
     }
 
+/** How much waits for an answer, by the course's id. */
+private class Waiting(
+    val questions: Map<String, Int>,
+    val complaints: Map<String, Int>,
+)
+
 /**
- * @param questions how many wait, by the course's id
  * @param mayChange whether who looks may change courses, and not only see them
  */
 private fun FlowContent.courseList(
     texts: PageTexts,
     courses: Map<Course, List<Enrolled>>,
-    questions: Map<String, Int>,
+    waiting: Waiting,
     mayChange: Boolean,
 ) {
     if (courses.isEmpty()) p { +texts.say(if (mayChange) "instructor.none" else "assistant.none") }
@@ -195,7 +203,10 @@ private fun FlowContent.courseList(
                     a("/instructor/courses/${course.id}/students") { +texts.say("instructor.roster") }
                     a("/instructor/courses/${course.id}/exercises") { +texts.say("instructor.rules") }
                     a("/instructor/courses/${course.id}/questions") {
-                        +texts.say("instructor.questions", questions[course.id] ?: 0)
+                        +texts.say("instructor.questions", waiting.questions[course.id] ?: 0)
+                    }
+                    a("/instructor/courses/${course.id}/complaints") {
+                        +texts.say("instructor.complaints", waiting.complaints[course.id] ?: 0)
                     }
                     a("/instructor/courses/${course.id}/exams") { +texts.say("exams.open") }
                     if (mayChange) a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }

@@ -11,6 +11,7 @@ import io.ktor.server.routing.Route
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.comment.Comments
+import rasterlab.grader.complaint.ComplaintDesk
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.Courses
@@ -50,7 +51,7 @@ fun Route.pages(
     resultPages(accounts, exercises, submissions, results, resultPage)
     markingPages(accounts, courses, exercises, submissions, adjustments, regrades, resultPage)
     similarPages(accounts, exercises, similar)
-    instructorPages(accounts, courses, exercises, submissions, comments, hints, live, isolation)
+    instructorPages(accounts, courses, exercises, submissions, comments, complaints, hints, live, isolation)
     rulesPages(accounts, courses, exercises, rules)
     regradePages(accounts, courses, exercises, regrades, queue, live)
     rosterPages(accounts, courses, roster, submissions, marks)
@@ -64,6 +65,7 @@ fun Route.pages(
 /**
  * The services that the pages ask.
  *
+ * @param free whether somebody has no exam now
  * @param closed the exercises that somebody does not get now, since they are kept for exams
  */
 class PageParts(
@@ -89,6 +91,9 @@ class PageParts(
     val adjustments: Adjustments,
     val comments: Comments,
     handed: HandedView,
+    cases: CaseView,
+    free: (Identity) -> Boolean,
+    val complaints: ComplaintDesk,
     val similar: Similar,
     val live: Live,
     val workers: Workers,
@@ -96,5 +101,5 @@ class PageParts(
     val closed: (Identity) -> Set<String>,
     val clock: InstantSource,
 ) {
-    val resultPage = ResultPage(exercises, submissions, results, adjustments, handed)
+    val resultPage = ResultPage(exercises, submissions, results, adjustments, handed, cases, free)
 }

@@ -9,11 +9,13 @@ import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import kotlinx.html.FlowContent
+import kotlinx.html.a
 import kotlinx.html.div
 import kotlinx.html.id
 import kotlinx.html.p
 import kotlinx.html.stream.createHTML
 import rasterlab.exercises.Exercise
+import rasterlab.exercises.published.PublishedCase
 import rasterlab.exercises.score.Disclosure
 import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.course.Accounts
@@ -43,7 +45,8 @@ fun Route.resultPages(
             createHTML(prettyPrint = false).div {
                 val view = results.view(who, submission.id, texts.language)
                 val sheet = SheetResult.of(exercises.at(submission.exercise, view.revision), submission.source)
-                result(texts, view, submission.source, results.files(submission), sheet)
+                val below = page.cases.below(texts, who, submission, typed = null)
+                result(texts, view, submission.source, results.files(submission), sheet, below)
             },
         )
     }
@@ -95,6 +98,17 @@ fun interface HandedView {
     )
 }
 
+/** Tells what stands below the cases of a submission beside their results. */
+fun interface CaseView {
+    /** @param typed what a form of the page held that was refused, or null */
+    fun below(
+        texts: PageTexts,
+        who: Identity,
+        submission: Submission,
+        typed: Parameters?,
+    ): FlowContent.(PublishedCase) -> Unit
+}
+
 /** The page of one submission; to an instructor it has the forms for points beside. */
 class ResultPage(
     private val exercises: Exercises,
@@ -102,6 +116,8 @@ class ResultPage(
     private val results: Results,
     private val adjustments: Adjustments,
     private val handed: HandedView,
+    internal val cases: CaseView,
+    private val free: (Identity) -> Boolean,
 ) {
     suspend fun show(
         call: ApplicationCall,
@@ -148,14 +164,25 @@ class ResultPage(
                     attributes["data-events"] = "/api/v1/submissions/${submission.id}/events"
                     attributes["data-fragment"] = "/submissions/${submission.id}/fragment"
                 }
-                result(texts, view, submission.source, files, sheet)
+                result(texts, view, submission.source, files, sheet, cases.below(texts, who, submission, typed))
             }
+            ways(texts, who, submission)
             val title = texts.say(if (files.asksForPrograms) "result.source" else "result.handed")
             handed.show(this, texts, who, submission, title, typed)
             if (who is Identity.Instructor && view.verdict != null) {
                 marking(texts, submission, adjustments.of(submission.id), typed)
             }
         }
+    }
+
+    /** Where to go from here; during an exam nowhere. */
+    private fun FlowContent.ways(
+        texts: PageTexts,
+        who: Identity,
+        submission: Submission,
+    ) {
+        if (!free(who) || submissions.ofStudent(submission.student, submission.exercise).size < 2) return
+        p("ways") { a("/submissions/${submission.id}/compare") { +texts.say("compare.open") } }
     }
 
     /** The exercise, and to an instructor the student. */

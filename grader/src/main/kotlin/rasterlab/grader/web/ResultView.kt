@@ -42,6 +42,7 @@ import kotlin.jvm.optionals.getOrNull
  *
  * @param files that show failed cases in the lab
  * @param sheet that was answered; null where there is none
+ * @param below what stands below a case beside its result
  */
 fun DIV.result(
     texts: PageTexts,
@@ -49,6 +50,7 @@ fun DIV.result(
     source: String,
     files: LabFiles,
     sheet: SheetResult?,
+    below: FlowContent.(PublishedCase) -> Unit = {},
 ) {
     div("verdict card") {
         status(texts, view.verdict, view.state)
@@ -63,7 +65,9 @@ fun DIV.result(
         h2 { +texts.say("result.cases") }
         if (view.cases.flatMap { it.pictures }.any { isOfPixels(it) }) p("legend") { +texts.say("result.legend") }
         alike(view.cases).forEach { group ->
-            val show = { case: PublishedCase -> case(texts, case, files, "/api/v1/submissions/${view.id}", sheet) }
+            val show = { case: PublishedCase ->
+                case(texts, case, files, "/api/v1/submissions/${view.id}", sheet, below)
+            }
             show(group.first())
             if (group.size > 1) others(texts, group.drop(1), show)
         }
@@ -169,6 +173,7 @@ private fun FlowContent.case(
     files: LabFiles,
     address: String,
     sheet: SheetResult?,
+    below: FlowContent.(PublishedCase) -> Unit,
 ) = article("case card") {
     div("row") {
         status(texts, case.verdict.codeFor(case.points, case.of), "")
@@ -191,6 +196,7 @@ private fun FlowContent.case(
     case.why.getOrNull()?.let { p("why") { +texts.say("result.why", it) } }
     if (case.pictures.isNotEmpty()) pictures(texts, case.title, case.pictures)
     if (case.scene.isNotEmpty() && !case.passed()) inLab(texts, case.name, files, address)
+    below(case)
 }
 
 /** The way from a failed case to the lab, where both methods draw it side by side. */

@@ -2,6 +2,7 @@ package rasterlab.grader.classroom
 
 import io.ktor.client.request.get
 import io.ktor.client.request.header
+import io.ktor.client.request.put
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import kotlinx.serialization.json.JsonObject
@@ -21,9 +22,11 @@ import rasterlab.exercises.score.SpeedFigures
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
+import rasterlab.grader.bearer
 import rasterlab.grader.cookieOf
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.sendForm
 import rasterlab.grader.text
 import java.nio.file.Path
 import java.util.Optional
@@ -72,8 +75,64 @@ class ClassFrontTest {
             val seen = look(ada, OWN).json().points()
             assertEquals(listOf("0.5", "1.0", "1.5", "3.0", "20.0"), seen.map { it.text("ratio") })
             assertEquals(listOf("3.0"), seen.filter { it.text("own") == "true" }.map { it.text("ratio") })
-            assertEquals(setOf("ratio", "low", "high", "error", "own"), seen.flatMap { it.keys }.toSet())
+            assertEquals(setOf("ratio", "low", "high", "error", "own", "name"), seen.flatMap { it.keys }.toSet())
+            assertEquals(setOf("null"), seen.map { it.text("name") }.toSet())
             look(ada, "/api/v1/courses/$course/$FRONT").assertProblem(403, "wrong-role")
+        }
+
+    private suspend fun Visit.name(
+        who: String,
+        named: String,
+    ) = client.put("/api/v1/front-name") {
+        bearer(who)
+        json(named)
+    }
+
+    @Test
+    @DisplayName(
+        "a name is told unasked, not when its student wants it, still when no longer, or leaves too few to hide among",
+    )
+    fun namesThoseWhoWantIt() =
+        Classroom(folder, bySource).open {
+            val course = newCourse()
+            val students = (1..6).map { hand(course, it) }
+            val names = suspend { look(students[0], OWN).json().points().map { it.text("name") } }
+            assertEquals("false", look(students[1], "/api/v1/front-name").json().text("named"))
+            assertEquals("true", name(students[1], """{"named":true}""").json().text("named"))
+            val none = List(4) { "null" }
+            assertEquals(listOf("null", "Ada (2)") + none, names())
+            assertEquals("true", look(students[1], "/api/v1/front-name").json().text("named"))
+            name(students[2], """{"named":true}""")
+            assertEquals(listOf("null", "Ada (2)", "Ada (3)"), names(), "four without a name are too few")
+            assertEquals(
+                listOf("null", "Ada (2)", "Ada (3)"),
+                look(students[0], OWN).json().points().map { it.text("name") },
+            )
+            name(students[1], """{"named":false}""")
+            assertEquals(listOf("null", "null", "Ada (3)") + none.drop(1), names())
+            name(students[1], "{}").assertProblem(400, "malformed-request")
+            name(instructor, """{"named":true}""").assertProblem(403, "wrong-role")
+        }
+
+    @Test
+    @DisplayName("the page does not let a student show the name, shows no name, or not how to hide it")
+    fun thePageShowsAndHidesTheName() =
+        Classroom(folder, bySource).open {
+            val course = newCourse()
+            val (ada, other) = (1..6).map { hand(course, it) }
+            val show =
+                suspend { who: String ->
+                    cookieOf(who).let { cookie ->
+                        client.get("/$FRONT?lang=en") { header(HttpHeaders.Cookie, cookie) }.bodyAsText()
+                    }
+                }
+            assertTrue("Show my name" in show(ada))
+            assertFalse("Ada" in show(other).substringAfter("<figure").substringBefore("Your name"))
+            assertEquals(302, sendForm("/$FRONT", "named=yes", ada).status.value)
+            assertTrue("Hide my name" in show(ada))
+            assertTrue(">Ada</text>" in show(other) && "<td>Ada</td>" in show(other), show(other))
+            assertEquals(302, sendForm("/$FRONT", "named=no", ada).status.value)
+            assertTrue("Show my name" in show(ada))
         }
 
     @Test
@@ -94,7 +153,7 @@ class ClassFrontTest {
             val named = look(instructor, "/api/v1/courses/$course/$FRONT").json().points()
             val seen = page(ada, "/$FRONT")
             val main = seen.substringAfter("<main")
-            for (one in named) {
+            for (one in named.filter { it.text("ratio") != "3.0" }) {
                 for (told in listOf("name", "submission", "student")) {
                     assertFalse(one.text(told) in main, "$told ${one.text(told)} in $main")
                 }

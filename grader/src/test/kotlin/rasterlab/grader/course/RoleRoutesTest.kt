@@ -165,6 +165,13 @@ class RoleRoutesTest {
                     bearer(student)
                     json("""{"text":"Why?"}""")
                 }.execute { it.json() }
+        val complaint =
+            client
+                .prepareRequest("/api/v1/submissions/${submissions[0].second}/complaints") {
+                    method = HttpMethod.Post
+                    bearer(student)
+                    json("""{"case":"open-case","text":"Why?"}""")
+                }.execute { it.json() }
         val id = checkNotNull(Accounts(database, InstantSource.system()).holder(student)).id
         return Place(
             listOf(null, student, others[0], assistants[0].token, instructor),
@@ -183,6 +190,8 @@ class RoleRoutesTest {
                 "adjustment" to "none",
                 "exam" to "none",
                 "comment" to question.text("id"),
+                "other" to submissions[0].second,
+                "complaint" to complaint.text("id"),
                 "kept" to "none",
                 "case" to "open-case",
                 "picture" to "actual.png",

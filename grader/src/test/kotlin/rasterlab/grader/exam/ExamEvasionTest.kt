@@ -8,6 +8,7 @@ import io.ktor.client.request.post
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
@@ -115,6 +116,30 @@ class ExamEvasionTest {
             look(ada, "/api/v1/submissions/$before/events").assertProblem(403, "in-exam")
             submit(ada).assertProblem(403, "in-exam")
             assertEquals("opened draft hand-in second-session", kinds())
+        }
+
+    @Test
+    @DisplayName("somebody complains about a result while the exam runs, or cannot when it is over")
+    fun nobodyComplainsDuringAnExam() =
+        classroom().open {
+            val course = newCourse()
+            val ada = newStudent(course)
+            val exam = exam(course)
+            pass(Duration.ofMinutes(61))
+            val cookie = cookieOf(ada)
+            open(exam, cookie)
+            draft(exam, cookie, "class Dot { int now; }", to = "")
+            val id = one("SELECT id FROM submissions")
+            page("/api/v1/submissions/$id/events", cookie).bodyAsText()
+            val complain =
+                suspend { send("/submissions/$id/complaints", cookie, "case" to "open-case", "text" to "no") }
+            val form = "/submissions/$id/complaints\""
+            assertFalse(form in page("/submissions/$id", cookie).bodyAsText())
+            assertEquals(403, complain().status.value)
+            assertEquals(403, page("/api/v1/submissions/$id/complaints", cookie).status.value)
+            pass(Duration.ofHours(3))
+            assertTrue(form in page("/submissions/$id", cookie).bodyAsText())
+            assertEquals(302, complain().status.value)
         }
 
     @Test

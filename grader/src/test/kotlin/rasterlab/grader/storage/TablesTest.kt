@@ -163,6 +163,30 @@ class TablesTest {
             }
         }
 
+    @Test
+    @DisplayName(
+        "a course of version 20 is lost in one of the databases, takes no complaint, or names students on charts",
+    )
+    fun takesComplaintsWhereThereWereNone() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("11")
+                fill(source, 11)
+                Tables(source).migrate("20")
+                source.execute("INSERT INTO kept_comments VALUES ('q', 'c', 'names', 'Say it.', 'i', '$THEN')")
+                Tables(source).migrate()
+                assertWhole(source, 11)
+                source.assertRows("name FROM kept_comments", "names")
+                source.assertRows("id, named_on_front FROM students", "a 0", "b 0", "d 0")
+                source.assertRows("count(*) FROM complaints", "0")
+                source.execute(
+                    """INSERT INTO complaints (id, submission_id, result_id, case_name, text, opened_at)
+                       SELECT 'k', submission_id, id, 'case of r1', 'why?', '$THEN' FROM results WHERE is_current = 1""",
+                )
+                source.assertRows("state, answer, regrade_id FROM complaints", "open null null")
+            }
+        }
+
     private fun sqlite(): DataSource =
         SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
             .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }

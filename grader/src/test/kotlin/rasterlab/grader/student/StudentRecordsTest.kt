@@ -58,6 +58,11 @@ class StudentRecordsTest {
             assertEquals("fine", submission.list("points").single().field("reason"))
             val said = data.list("comments").map { one -> listOf("name", "line", "lastLine", "text").map(one::field) }
             assertEquals(listOf(listOf("Ada", "1", "2", "why?"), listOf("", "null", "null", "so")), said)
+            assertEquals(
+                listOf("open-case" to "no"),
+                data.list("complaints").map { it.field("case") to it.field("text") },
+            )
+            assertEquals("true", data.text("namedOnFront"))
             val files = unzipped(look(instructor, "/api/v1/students/$student/export?as=zip").bodyAsBytes())
             assertEquals(setOf("student.json", "draw-dot/attempt-1.java"), files.keys)
             assertEquals("class Dot { int mine; }", files["draw-dot/attempt-1.java"])
@@ -145,6 +150,12 @@ class StudentRecordsTest {
                 """INSERT INTO adjustments (id, submission_id, points, reason, total_before, account_id, given_at)
                    SELECT 'p' || id, id, 2, 'fine', 4, 'i', '2026-03-01T12:00:00.000Z' FROM submissions""",
             )
+            handle.execute(
+                """INSERT INTO complaints (id, submission_id, result_id, case_name, text, opened_at)
+                   SELECT 'k' || id, submission_id, id, 'open-case', 'no', '2026-03-01T12:00:00.000Z' FROM results""",
+            )
+            handle.execute("INSERT INTO idempotency_keys SELECT 'complaints', id, '', id, '' FROM complaints")
+            handle.execute("UPDATE students SET named_on_front = 1 WHERE number = 1")
             handle.execute("INSERT INTO diagnostics SELECT id, 0, 1, 1, 'm', '' FROM results")
             handle.execute(
                 "INSERT INTO speed_methods (result_id, position, method, ratio) SELECT id, 0, 'naive', 1.0 FROM results",
@@ -167,6 +178,7 @@ class StudentRecordsTest {
             "extensions",
             "roster_fields",
             "comments",
+            "complaints",
             "regrade_items",
             "adjustments",
             "sessions",

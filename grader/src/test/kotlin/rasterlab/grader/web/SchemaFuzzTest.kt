@@ -132,6 +132,8 @@ class SchemaFuzzTest {
             "exam" to listOf(exam),
             "adjustment" to adjustments,
             "comment" to comments.map { it.json().text("id") },
+            "other" to listOf(id),
+            "complaint" to listOf(complaint(student, id)),
             "kept" to listOf(kept.json().text("id")),
             "regrade" to listOf(regrade),
             "course" to listOf(course),
@@ -144,6 +146,18 @@ class SchemaFuzzTest {
             "token" to listOf(student, student, instructor, instructor, "", "no-token"),
         )
     }
+
+    /** A complaint about a case of that submission. */
+    private suspend fun Visit.complaint(
+        student: String,
+        submission: String,
+    ): String =
+        client
+            .post("/api/v1/submissions/$submission/complaints") {
+                bearer(student)
+                json("""{"case":"open-case","text":"Why?"}""")
+            }.json()
+            .text("id")
 
     /** An exam and a student of it, in a course of its own: nobody gets its exercise in that one. */
     private suspend fun Visit.exam(): Pair<String, String> {

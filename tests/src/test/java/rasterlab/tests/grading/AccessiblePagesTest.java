@@ -74,6 +74,19 @@ class AccessiblePagesTest {
             browser.element("form[action='/exercises/line-bresenham'] button").click();
             browser.text("#live .verdict .status.wrong");
             findings.addAll(findings(browser, "a result"));
+            browser.element(".complain summary").click();
+            browser.element(".complain[open] textarea").sendKeys("It is drawn.");
+            browser.element(".complain[open] form button").click();
+            browser.text(".case .thread .waits");
+            findings.addAll(findings(browser, "a complaint"));
+            browser.driver().get(address("/exercises/line-bresenham"));
+            browser.element("textarea[name=source]").sendKeys(Solutions.source(Solutions.RIGHT));
+            browser.element("form[action='/exercises/line-bresenham'] button").click();
+            browser.text("#live .verdict .status.ok");
+            browser.element("a[href$='/compare']").click();
+            browser.element(".versions");
+            findings.addAll(findings(browser, "two versions"));
+            findings.addAll(findings(browser, "/exercises/line-bresenham/front"));
             assertEquals(List.of(), findings);
         }
     }

@@ -1,16 +1,22 @@
 package rasterlab.grader.web.classroom
 
 import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.respondRedirect
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
+import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.html.FlowContent
+import kotlinx.html.FormMethod
 import kotlinx.html.TD
 import kotlinx.html.ThScope
 import kotlinx.html.a
+import kotlinx.html.button
 import kotlinx.html.details
 import kotlinx.html.figcaption
 import kotlinx.html.figure
+import kotlinx.html.form
+import kotlinx.html.h2
 import kotlinx.html.p
 import kotlinx.html.section
 import kotlinx.html.summary
@@ -37,6 +43,8 @@ import rasterlab.grader.web.ChartScale
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.SpeedDrawing
 import rasterlab.grader.web.courseOf
+import rasterlab.grader.web.receiveForm
+import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.scrolling
 import rasterlab.grader.web.staffHere
@@ -54,7 +62,14 @@ fun Route.frontPages(
         val student = call.studentHere(accounts)
         val exercise = exercises.written(call.parameters.getOrFail("id"))
         val places = front.seenBy(student.id, courses.ofStudent(student.id)?.id.orEmpty(), exercise)
-        call.respondOwnPlace(student, exercise, places)
+        call.respondOwnPlace(student, exercise, places, front.names(student.id))
+    }
+    post("/exercises/{id}/front") {
+        call.requireOwnForm()
+        val student = call.studentHere(accounts)
+        val exercise = exercises.written(call.parameters.getOrFail("id"))
+        front.name(student.id, call.receiveForm()["named"] == "yes")
+        call.respondRedirect("/exercises/${exercise.id()}/front")
     }
     get("/instructor/courses/{course}/exercises/{id}/front") {
         val who = call.staffHere(accounts)
@@ -68,14 +83,42 @@ private suspend fun ApplicationCall.respondOwnPlace(
     student: Identity.StudentIdentity,
     exercise: Exercise,
     places: List<FrontPoint>,
+    named: Boolean,
 ) {
     val texts = texts()
     respondPage(texts, student, "${texts.say("front.heading")}: ${exercise.title(texts.language)}") {
         p { a("/exercises/${exercise.id()}") { +texts.say("front.back") } }
         p("plan") { +texts.say("front.anonymous") }
-        if (places.size < ClassFront.LEAST) p { +texts.say("front.few", ClassFront.LEAST) }
-        classChart(texts, exercise, places, student.id) { _, own ->
-            +texts.say(if (own) "chart.own" else "front.other")
+        if (places.count { !it.named } < ClassFront.LEAST) p { +texts.say("front.few", ClassFront.LEAST) }
+        classChart(texts, exercise, places, student.id) { place, own ->
+            +(
+                if (own) {
+                    texts.say("chart.own")
+                } else if (place.named) {
+                    place.name
+                } else {
+                    texts.say("front.other")
+                }
+            )
+        }
+        naming(texts, exercise, student, named)
+    }
+}
+
+/** Lets the student have the class read the name on its charts, or no longer. */
+private fun FlowContent.naming(
+    texts: PageTexts,
+    exercise: Exercise,
+    student: Identity.StudentIdentity,
+    named: Boolean,
+) = section("card apart") {
+    h2 { +texts.say("front.name") }
+    p { +texts.say(if (named) "front.name.shown" else "front.name.hidden", student.name) }
+    form("/exercises/${exercise.id()}/front", method = FormMethod.post) {
+        button {
+            name = "named"
+            value = if (named) "no" else "yes"
+            +texts.say(if (named) "front.name.hide" else "front.name.show")
         }
     }
 }
@@ -96,6 +139,10 @@ private suspend fun ApplicationCall.respondFront(
     }
 }
 
+/** The most names that stand beside the plot, and how many characters of each. */
+private const val LABELS = 12
+private const val LABEL = 24
+
 /**
  * The chart, and its table.
  *
@@ -111,10 +158,13 @@ private fun FlowContent.classChart(
 ) {
     if (places.isEmpty()) return
     val topic = Topics.named(exercise.topic())
+    val few = places.count { it.named } <= LABELS
     val points =
         places.map {
             val mine = it.student == own
-            ChartPoint(texts.say("chart.own"), it.ratio, it.error, own = mine, labelled = mine)
+            val shown = own != null && few && it.named && !mine
+            val name = if (shown) it.name.take(LABEL) else texts.say("chart.own")
+            ChartPoint(name, it.ratio, it.error, own = mine, labelled = mine || shown)
         }
     val scale = ChartScale(topic.item(), topic.errorUnit(), SpeedPoints.fullUpTo())
     val drawn = SpeedDrawing(texts, scale, points) { texts.say("front.words", points.size) }
