@@ -1,6 +1,9 @@
 package rasterlab.tests.bench.grader;
 
+import java.io.IOException;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,6 +15,7 @@ import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.runner.Judge;
 import rasterlab.exercises.runner.JudgeSettings;
+import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 import rasterlab.tests.bench.language.BenchWords;
 
@@ -21,28 +25,7 @@ import rasterlab.tests.bench.language.BenchWords;
  */
 public final class GraderBench {
     private static final String EXERCISE = "line-bresenham";
-
-    /** Each pixel by a division: right, and slower than the reference. */
-    private static final String SOURCE =
-            """
-            import rasterlab.contract.LineRasterizer;
-            import rasterlab.contract.Pixels;
-
-            public class Divided implements LineRasterizer {
-                @Override
-                public void draw(int x0, int y0, int x1, int y1, Pixels out) {
-                    long dx = (long) x1 - x0, dy = (long) y1 - y0;
-                    long steps = Math.max(Math.abs(dx), Math.abs(dy));
-                    for (long k = 0; k <= steps; k++)
-                        out.plot(at(x0, dx, k, steps), at(y0, dy, k, steps));
-                }
-
-                private static int at(int from, long by, long k, long steps) {
-                    return steps == 0 ? from : (int) (from + Math.floorDiv(2 * k * by + steps, 2 * steps));
-                }
-            }
-            """;
-
+    private static final String SOURCE = "/rasterlab/tests/grading/Right.java";
     private static final double GOAL_SECONDS = 0.7;
     private static final int WARM_UP = 3;
     private static final int MANY = 21;
@@ -112,11 +95,21 @@ public final class GraderBench {
     /** The nanoseconds from the source to the report. */
     private static long grade(Judge judge) throws InterruptedException {
         Exercise exercise = Catalogue.builtIn().named(EXERCISE);
+        String source = source();
         long start = System.nanoTime();
-        Report report = judge.grade(exercise, SOURCE, CaseSelection.all(7), one -> {});
+        Report report = judge.grade(exercise, source, CaseSelection.all(7), one -> {});
         long nanos = System.nanoTime() - start;
-        if (report.points().total() == 0) throw new IllegalStateException("graded " + report);
+        if (report.verdict() != GradingVerdict.OK)
+            throw new IllegalStateException("expected a right program, got " + report.verdict());
         return nanos;
+    }
+
+    private static String source() {
+        try (var stream = GraderBench.class.getResourceAsStream(SOURCE)) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private static String seconds(long nanos) {
