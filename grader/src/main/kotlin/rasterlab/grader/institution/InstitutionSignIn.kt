@@ -2,10 +2,13 @@ package rasterlab.grader.institution
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.RosterColumn
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.OnceOnly
 import java.net.URI
 import java.time.InstantSource
 
@@ -25,6 +28,13 @@ class Entrances(
     val page: String,
 )
 
+/** @param accounts the id of each and the name of its course */
+@Serializable
+private class KeptEntrances(
+    val accounts: List<Pair<String, String>>,
+    val page: String,
+)
+
 /** A sign-in that goes on elsewhere: at the [place], with a [key] that the browser keeps until it comes back. */
 class Errand(
     val place: URI,
@@ -39,8 +49,8 @@ class InstitutionSignIn(
     clock: InstantSource,
 ) {
     private val provider = settings.provider?.let { OpenIdProvider(it, clock) }
-    private val begun = OnceOnly<Begun>(clock)
-    private val choices = OnceOnly<Entrances>(clock)
+    private val begun = OnceOnly(database, clock, "institution")
+    private val choices = OnceOnly(database, clock, "institution-choice")
 
     /** The header by which a proxy names people; null where the provider is asked. */
     val header: String? get() = settings.header
@@ -48,8 +58,8 @@ class InstitutionSignIn(
     /** Begins to ask the provider; [page] is wanted after that. */
     suspend fun begin(page: String): Errand =
         withContext(ELSEWHERE) {
-            val sent = Begun(page)
-            Errand(asked().entry(sent), begun.keep(sent))
+            val sent = Begun.of(page)
+            Errand(asked().entry(sent), begun.keep(Json.encodeToString(sent)))
         }
 
     /**
@@ -63,7 +73,8 @@ class InstitutionSignIn(
         answer: Map<String, List<String>>,
     ): Entrances =
         withContext(ELSEWHERE) {
-            val sent = key?.let(begun::take) ?: throw SignInRefused(SignInFault.STALE)
+            val kept = key?.let(begun::take) ?: throw SignInRefused(SignInFault.STALE)
+            val sent = Json.decodeFromString<Begun>(kept)
             Entrances(entrances(asked().name(sent, answer)), sent.page)
         }
 
@@ -74,10 +85,18 @@ class InstitutionSignIn(
     ): Entrances = Entrances(entrances(name ?: throw SignInRefused(SignInFault.NO_PROXY)), page)
 
     /** Keeps what a person may choose among, under the key that it returns. */
-    fun keep(entrances: Entrances): String = choices.keep(entrances)
+    fun keep(entrances: Entrances): String =
+        choices.keep(
+            Json.encodeToString(KeptEntrances(entrances.all.map { it.who.id to it.course }, entrances.page)),
+        )
 
     /** Gives out, once, what the browser with this key may choose among. */
-    fun choices(key: String?): Entrances = key?.let(choices::take) ?: throw SignInRefused(SignInFault.STALE)
+    fun choices(key: String?): Entrances {
+        val text = key?.let(choices::take) ?: throw SignInRefused(SignInFault.STALE)
+        val kept = Json.decodeFromString<KeptEntrances>(text)
+        val all = kept.accounts.mapNotNull { (id, course) -> accounts.withId(id)?.let { Entrance(it, course) } }
+        return Entrances(all, kept.page)
+    }
 
     /** Where people sign out of their institution too; null where it has not told. */
     fun exit(): URI? = provider?.exit()

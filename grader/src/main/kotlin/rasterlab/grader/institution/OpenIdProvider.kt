@@ -1,14 +1,11 @@
 package rasterlab.grader.institution
 
 import com.nimbusds.jose.JOSEException
-import com.nimbusds.jose.JWSAlgorithm
 import com.nimbusds.jose.KeySourceException
 import com.nimbusds.jose.jwk.source.JWKSource
-import com.nimbusds.jose.jwk.source.JWKSourceBuilder
 import com.nimbusds.jose.proc.BadJOSEException
 import com.nimbusds.jose.proc.JWSVerificationKeySelector
 import com.nimbusds.jose.proc.SecurityContext
-import com.nimbusds.jose.util.DefaultResourceRetriever
 import com.nimbusds.oauth2.sdk.AuthorizationCode
 import com.nimbusds.oauth2.sdk.AuthorizationCodeGrant
 import com.nimbusds.oauth2.sdk.ParseException
@@ -19,7 +16,6 @@ import com.nimbusds.oauth2.sdk.auth.ClientAuthenticationMethod
 import com.nimbusds.oauth2.sdk.auth.ClientSecretBasic
 import com.nimbusds.oauth2.sdk.auth.ClientSecretPost
 import com.nimbusds.oauth2.sdk.auth.Secret
-import com.nimbusds.oauth2.sdk.http.HTTPRequest
 import com.nimbusds.oauth2.sdk.id.ClientID
 import com.nimbusds.oauth2.sdk.id.Issuer
 import com.nimbusds.oauth2.sdk.id.State
@@ -38,6 +34,7 @@ import com.nimbusds.openid.connect.sdk.claims.IDTokenClaimsSet
 import com.nimbusds.openid.connect.sdk.op.OIDCProviderMetadata
 import com.nimbusds.openid.connect.sdk.token.OIDCTokens
 import com.nimbusds.openid.connect.sdk.validators.IDTokenValidator
+import kotlinx.serialization.Serializable
 import java.io.IOException
 import java.net.URI
 import java.time.Duration
@@ -45,12 +42,20 @@ import java.time.Instant
 import java.time.InstantSource
 
 /** A sign-in that has begun: what only the provider's answer to this one can fit. */
-internal class Begun(
+@Serializable
+internal class Begun private constructor(
     val page: String,
+    private val stateText: String,
+    private val nonceText: String,
+    private val verifierText: String,
 ) {
-    val state = State()
-    val nonce = Nonce()
-    val verifier = CodeVerifier()
+    val state get() = State(stateText)
+    val nonce get() = Nonce(nonceText)
+    val verifier get() = CodeVerifier(verifierText)
+
+    companion object {
+        fun of(page: String) = Begun(page, State().value, Nonce().value, CodeVerifier().value)
+    }
 }
 
 /**
@@ -136,7 +141,7 @@ internal class OpenIdProvider(
                 null -> TokenRequest.Builder(place, client, grant)
                 else -> TokenRequest.Builder(place, authentication(known, secret), grant)
             }
-        val response = OIDCTokenResponseParser.parse(send(request.build().toHTTPRequest()))
+        val response = OIDCTokenResponseParser.parse(Outside.send(request.build().toHTTPRequest()))
         if (response is OIDCTokenResponse) return response.oidcTokens
         val error = response.toErrorResponse().errorObject?.code
         throw SignInRefused(SignInFault.UNTRUSTED, detail = "the provider gives no token: '$error'")
@@ -156,7 +161,7 @@ internal class OpenIdProvider(
         tokens: OIDCTokens,
         begun: Begun,
     ): IDTokenClaimsSet {
-        val selector = JWSVerificationKeySelector(SIGNATURES, known.keys)
+        val selector = JWSVerificationKeySelector(Outside.SIGNATURES, known.keys)
         val token = tokens.idToken ?: throw SignInRefused(SignInFault.UNTRUSTED, detail = "there is no ID token")
         return IDTokenValidator(known.metadata.issuer, client, selector, null).validate(token, begun.nonce)
     }
@@ -169,7 +174,7 @@ internal class OpenIdProvider(
     ): ClaimsSet? {
         val place = known.metadata.userInfoEndpointURI
         if (place == null || access == null || !ProviderSettings.isPrivate(place)) return null
-        val response = UserInfoResponse.parse(send(UserInfoRequest(place, access).toHTTPRequest()))
+        val response = UserInfoResponse.parse(Outside.send(UserInfoRequest(place, access).toHTTPRequest()))
         if (!response.indicatesSuccess()) return null
         val told = response.toSuccessResponse().userInfo ?: return null
         if (told.subject != claims.subject) {
@@ -199,9 +204,8 @@ internal class OpenIdProvider(
     }
 
     private fun discover(now: Instant): Known {
-        val retriever = DefaultResourceRetriever(PATIENCE_MILLIS, PATIENCE_MILLIS, MOST_BYTES)
         val place = URI("${settings.issuer.toString().trimEnd('/')}/.well-known/openid-configuration")
-        val metadata = OIDCProviderMetadata.parse(retriever.retrieveResource(place.toURL()).content)
+        val metadata = OIDCProviderMetadata.parse(Outside.retriever().retrieveResource(place.toURL()).content)
         val addresses =
             listOf(metadata.authorizationEndpointURI, metadata.tokenEndpointURI, metadata.jwkSetURI)
         when {
@@ -216,21 +220,8 @@ internal class OpenIdProvider(
                 throw SignInRefused(SignInFault.UNTRUSTED, detail = "discovery has an address without encryption")
             }
         }
-        val keys =
-            JWKSourceBuilder
-                .create<SecurityContext>(metadata.jwkSetURI.toURL(), retriever)
-                .refreshAheadCache(false)
-                .build()
-        return Known(metadata, keys, now + KNOWN_FOR)
+        return Known(metadata, Outside.keys(metadata.jwkSetURI), now + KNOWN_FOR)
     }
-
-    private fun send(request: HTTPRequest) =
-        request
-            .apply {
-                connectTimeout = PATIENCE_MILLIS
-                readTimeout = PATIENCE_MILLIS
-                followRedirects = false
-            }.send()
 
     private fun <T> asking(question: () -> T): T =
         try {
@@ -248,13 +239,7 @@ internal class OpenIdProvider(
         }
 
     private companion object {
-        const val PATIENCE_MILLIS = 5_000
-        const val MOST_BYTES = 256 * 1024
         const val LONGEST_NAME = 254
         val KNOWN_FOR: Duration = Duration.ofHours(1)
-
-        /** The signatures that a public key checks: with a shared secret, or none, anybody could sign. */
-        val SIGNATURES: Set<JWSAlgorithm> =
-            JWSAlgorithm.Family.RSA + JWSAlgorithm.Family.EC.filter { it != JWSAlgorithm.ES256K }
     }
 }

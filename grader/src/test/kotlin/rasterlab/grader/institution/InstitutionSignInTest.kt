@@ -135,6 +135,18 @@ class InstitutionSignInTest {
         }
 
     @Test
+    @DisplayName("a sign-in that began before a restart, or at another server of the course, is lost")
+    fun anotherServerEndsIt() =
+        LocalProvider().use { provider ->
+            var begun = Beginning("", "")
+            room(provider) {
+                roster()
+                begun = begin()
+            }
+            room(provider) { assertEquals(200, back(follow(begun), begun.key).status.value) }
+        }
+
+    @Test
     @DisplayName("a new key of the provider keeps everybody out")
     fun keysChange() =
         LocalProvider().use { provider ->
