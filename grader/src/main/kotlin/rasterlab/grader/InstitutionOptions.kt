@@ -108,10 +108,13 @@ internal class InstitutionOptions {
         if (column !in InstitutionSignIn.COLUMNS) {
             throw CannotStart(StartFailure.SIGN_IN_COLUMN, column, InstitutionSignIn.COLUMNS.joinToString())
         }
-        val public = publicAddress?.let { address("public-address", it) }
+        val public = public()
         if (named == null) return null
         return InstitutionSettings(provider(public), header, column, staffOf())
     }
+
+    /** The address of the server as browsers have it; null where it is not told. */
+    fun public(): URI? = publicAddress?.let { address("public-address", it) }
 
     private fun provider(public: URI?): ProviderSettings? {
         val place = address("oidc-issuer", issuer ?: return null)

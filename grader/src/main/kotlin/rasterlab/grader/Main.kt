@@ -92,6 +92,10 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
                     refuse(command, CannotStart(StartFailure.NO_STAFF, failure.id).said(words.language))
                 }
 
+                is Rejection.UnknownPlatform -> {
+                    refuse(command, CannotStart(StartFailure.NO_PLATFORM, failure.id).said(words.language))
+                }
+
                 is Rejection.LastInstructor -> {
                     refuse(command, CannotStart(StartFailure.LAST_INSTRUCTOR).said(words.language))
                 }
@@ -133,6 +137,7 @@ private fun programOf(words: CommandWords): CommandLine =
                 .addSubcommand(StaffRevokeCommand())
                 .addSubcommand(ServerHelpCommand(words)),
         ).addSubcommand(regradeCommands(words))
+        .addSubcommand(ltiCommands(words))
         .addSubcommand(ServerHelpCommand(words))
 
 /** An empty name would stand for the folder that the server is started in. */

@@ -185,6 +185,7 @@ internal class ServeCommand(
         encrypted = encrypted,
         name = work.name ?: Leases.ONE_SERVER,
         institution = institution,
+        publicAddress = this.institution.public(),
     )
 
     private fun run(

@@ -61,6 +61,8 @@ import rasterlab.grader.hint.hints
 import rasterlab.grader.institution.InstitutionSettings
 import rasterlab.grader.institution.InstitutionSignIn
 import rasterlab.grader.limits.tell
+import rasterlab.grader.lti.Lti
+import rasterlab.grader.lti.lti
 import rasterlab.grader.metrics.Meters
 import rasterlab.grader.problem.refuseOtherMethods
 import rasterlab.grader.problem.showProblems
@@ -107,6 +109,10 @@ import rasterlab.grader.web.complaint.CaseComplaints
 import rasterlab.grader.web.complaint.complaintPages
 import rasterlab.grader.web.exam.examPages
 import rasterlab.grader.web.institution.institutionPages
+import rasterlab.grader.web.lti.launchPages
+import rasterlab.grader.web.lti.platformPages
+import rasterlab.grader.web.lti.scorePages
+import rasterlab.grader.web.lti.toolPages
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
@@ -115,6 +121,7 @@ import rasterlab.grader.worker.Worker
 import rasterlab.grader.worker.Workers
 import rasterlab.grader.worker.workers
 import java.net.InetAddress
+import java.net.URI
 import java.time.Duration
 import java.time.InstantSource
 import kotlin.time.Duration.Companion.minutes
@@ -128,6 +135,7 @@ import kotlin.time.Duration.Companion.seconds
  * @param bodyPatience how long the body of a request may take to arrive
  * @param name which no other process has that uses the database
  * @param institution how people sign in by it; null where they do not
+ * @param publicAddress of the server as browsers have it; null where each request tells it
  */
 data class ServerSettings(
     val workers: Int = 1,
@@ -138,6 +146,7 @@ data class ServerSettings(
     val encrypted: Boolean = false,
     val name: String = Leases.ONE_SERVER,
     val institution: InstitutionSettings? = null,
+    val publicAddress: URI? = null,
 )
 
 /**
@@ -218,6 +227,7 @@ class Server(
     private val pairs = VersionPairs(submissions, results)
     private val exams = Exams(database, steady)
     private val sittings = Sittings(database, exercises, intake, steady, queue::ring)
+    private val lti = Lti(database, accounts, courses, exercises, settings.publicAddress, clock, steady)
     private val pageParts =
         PageParts(
             accounts,
@@ -260,6 +270,7 @@ class Server(
     fun startGrading() {
         queue.start(sittings::settle)
         moves.listen(live::heard)
+        lti.sender.start()
     }
 
     /** @param address at the other end of the connection, which may be a proxy's */
@@ -282,6 +293,10 @@ class Server(
             monitoring(database, isolation, meters)
             pages(pageParts, ENTRY)
             rateLimit(ENTRY) { institutionPages(institution, accounts) }
+            toolPages(lti)
+            rateLimit(ENTRY) { launchPages(lti, accounts, exercises) }
+            platformPages(accounts, lti)
+            scorePages(accounts, courses, exercises, lti)
             examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
             errorPages(accounts, courses, exercises, last)
             commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
@@ -316,6 +331,7 @@ class Server(
                     comparisons(pairs)
                     complaints(submissions, courses, complaints)
                     results(results, live)
+                    lti(lti.platforms, courses, lti.states)
                 }
             }
         }.refuseOtherMethods()
@@ -332,6 +348,7 @@ class Server(
 
     /** Lets running attempts end or puts them back. */
     override fun close() {
+        lti.sender.close()
         queue.close()
         moves.close()
     }

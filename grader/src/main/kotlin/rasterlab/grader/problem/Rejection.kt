@@ -167,6 +167,16 @@ sealed class Rejection(
         vararg values: Any,
     ) : Explained("exams", fault, values, "bad-exam")
 
+    /** A registration of a learning platform that cannot be; nothing is stored. */
+    class BadPlatform(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("platforms", fault, values, "bad-platform")
+
+    class UnknownPlatform(
+        val id: String,
+    ) : Rejection("no learning platform '$id'", "unknown-platform")
+
     class UnknownExam(
         id: String,
     ) : Rejection("no exam '$id'", "unknown-exam")

@@ -25,6 +25,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
         is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment, is Rejection.UnknownComment -> NotFound
         is Rejection.UnknownExam, is Rejection.UnknownWorker, is Rejection.UnknownComplaint -> NotFound
+        is Rejection.UnknownPlatform -> NotFound
         is Rejection.InExam, is Rejection.ExamAddress -> Forbidden
         is Rejection.ExamNotOpen, is Rejection.ExamOver, is Rejection.OtherSession -> Conflict
         is Rejection.RegradeStands -> Conflict

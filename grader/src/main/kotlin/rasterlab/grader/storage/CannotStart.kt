@@ -53,6 +53,7 @@ class CannotStart(
         NO_INSTRUCTOR("no.instructor"),
         NO_STUDENT("no.student"),
         NO_STAFF("no.staff"),
+        NO_PLATFORM("no.platform"),
         LAST_INSTRUCTOR("last.instructor"),
         NO_COURSE("no.course"),
         NO_EXERCISE("no.exercise"),

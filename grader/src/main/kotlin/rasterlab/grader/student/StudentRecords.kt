@@ -1,7 +1,6 @@
 // What is kept about one student: given out whole, or deleted for good. Start with StudentRecords.
 package rasterlab.grader.student
 
-import kotlinx.serialization.Serializable
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.course.AuditNote
 import rasterlab.grader.problem.Rejection
@@ -9,135 +8,6 @@ import rasterlab.grader.storage.Database
 import java.sql.ResultSet
 import java.time.InstantSource
 import kotlin.jvm.optionals.getOrNull
-
-/** A result of a submission; what hidden cases found stays with the exercise. */
-@Serializable
-data class KeptResult(
-    val run: Int,
-    val current: Boolean,
-    val revision: String,
-    val verdict: String,
-    val accuracy: Int,
-    val stability: Int,
-    val speed: Int,
-    val of: Int,
-    val gradedAt: String,
-)
-
-/** Points that staff gave or took; those that were taken back too. */
-@Serializable
-data class KeptPoints(
-    val points: Int,
-    val reason: String,
-    val givenAt: String,
-    val revokedAt: String?,
-)
-
-@Serializable
-data class KeptSubmission(
-    val id: String,
-    val exercise: String,
-    val revision: String,
-    val attempt: Int,
-    val receivedAt: String,
-    val deadline: String?,
-    val hintCost: Int,
-    val chosen: Boolean,
-    val source: String,
-    val results: List<KeptResult>,
-    val points: List<KeptPoints>,
-)
-
-@Serializable
-data class KeptHint(
-    val exercise: String,
-    val step: Int,
-    val cost: Int,
-    val takenAt: String,
-)
-
-@Serializable
-data class KeptExtension(
-    val exercise: String,
-    val deadline: String,
-    val reason: String,
-)
-
-/**
- * Words of the student about a submission, or of staff.
- *
- * @param thread id of the comment that it answers; null where it begins a thread
- * @param name of who wrote it; empty for the first instructor
- */
-@Serializable
-data class KeptComment(
-    val id: String,
-    val submission: String,
-    val thread: String?,
-    val line: Int?,
-    val lastLine: Int?,
-    val name: String,
-    val text: String,
-    val writtenAt: String,
-    val editedAt: String?,
-)
-
-/** A complaint of the student against the result for a case, and its answer; null where there is none yet. */
-@Serializable
-data class KeptComplaint(
-    val submission: String,
-    val case: String,
-    val text: String,
-    val openedAt: String,
-    val state: String,
-    val answer: String?,
-    val answeredAt: String?,
-)
-
-/** The text that the student wrote last for an exercise of an exam. */
-@Serializable
-data class KeptDraft(
-    val exam: String,
-    val exercise: String,
-    val savedAt: String,
-    val source: String,
-)
-
-/** A line of the student in the protocol of an exam. */
-@Serializable
-data class KeptExamEvent(
-    val exam: String,
-    val notedAt: String,
-    val kind: String,
-    val address: String,
-    val detail: String,
-)
-
-/**
- * Everything that is kept about a student.
- *
- * @param namedOnFront whether the class reads the name on its chart of speed and accuracy
- * @param roster what rosters said, by the meaning of the column
- */
-@Serializable
-data class KeptStudent(
-    val student: String,
-    val course: String,
-    val courseName: String,
-    val number: Int,
-    val name: String,
-    val shownName: String,
-    val joinedAt: String,
-    val namedOnFront: Boolean,
-    val roster: Map<String, String>,
-    val extensions: List<KeptExtension>,
-    val hints: List<KeptHint>,
-    val submissions: List<KeptSubmission>,
-    val comments: List<KeptComment>,
-    val complaints: List<KeptComplaint> = emptyList(),
-    val drafts: List<KeptDraft> = emptyList(),
-    val examEvents: List<KeptExamEvent> = emptyList(),
-)
 
 /** Gives out, and deletes, what is kept about one student. Tokens are kept as hashes only, and are not given out. */
 class StudentRecords(
@@ -245,6 +115,8 @@ class StudentRecords(
                     ),
                 drafts = handle.of("exam_drafts", "exam_id, exercise", student, ::draft),
                 examEvents = handle.of("exam_events", "exam_id, number", student, ::examEvent),
+                platforms = handle.rows(PLATFORMS, student, ::platform),
+                scores = handle.rows(SCORES, student, ::score),
             ) ?: throw Rejection.UnknownStudent(student)
     }
 
@@ -315,6 +187,19 @@ class StudentRecords(
             row.getString("detail"),
         )
 
+    private fun platform(row: ResultSet) =
+        KeptPlatform(row.getString("issuer"), row.getString("client_id"), row.getString("subject"))
+
+    private fun score(row: ResultSet) =
+        KeptScore(
+            row.getString("issuer"),
+            row.getString("exercise"),
+            row.getInt("points").takeUnless { row.wasNull() },
+            row.getInt("points_of"),
+            row.getInt("sent_points").takeUnless { row.wasNull() },
+            row.getString("sent_at"),
+        )
+
     private fun result(row: ResultSet) =
         KeptResult(
             row.getInt("run"),
@@ -364,6 +249,15 @@ class StudentRecords(
                JOIN submissions s ON s.id = c.submission_id
                LEFT JOIN students ON students.id = c.author_id LEFT JOIN instructors ON instructors.id = c.author_id"""
 
+        const val PLATFORMS =
+            """SELECT issuer, client_id, subject FROM lti_students JOIN lti_platforms ON lti_platforms.id = platform_id
+               WHERE student_id = :student ORDER BY issuer, subject"""
+
+        const val SCORES =
+            """SELECT s.*, issuer FROM lti_scores s JOIN lti_links ON lti_links.id = s.link_id
+               JOIN lti_platforms ON lti_platforms.id = platform_id
+               WHERE student_id = :student ORDER BY s.exercise, s.link_id"""
+
         /** The requests that made the student, their submissions, what was said about these, and their hints. */
         const val MADE =
             """made = :student OR made IN ($THEIRS) OR owner = 'hints ' || :student
@@ -389,7 +283,7 @@ class StudentRecords(
                     "adjustments",
                 ).map { "DELETE FROM $it WHERE submission_id IN ($THEIRS)" } +
                 EXAMS.map { "DELETE FROM $it WHERE student_id = :student" } +
-                listOf("submissions", "hints", "extensions", "roster_fields").map {
+                listOf("submissions", "hints", "extensions", "roster_fields", "lti_scores", "lti_students").map {
                     "DELETE FROM $it WHERE student_id = :student"
                 } +
                 "DELETE FROM sessions WHERE account_id = :student" +

@@ -4,6 +4,7 @@ import io.ktor.http.HttpStatusCode
 import io.ktor.http.Parameters
 import io.ktor.http.parseUrlEncodedParameters
 import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.header
 import io.ktor.server.response.respondRedirect
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
@@ -24,6 +25,7 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
+import rasterlab.grader.course.StaffRole
 import rasterlab.grader.institution.InstitutionSignIn
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveAtMost
@@ -147,4 +149,41 @@ private suspend fun ApplicationCall.respondJoined(token: String) {
             p { a("/exercises", classes = "button") { +texts.say("joined.go") } }
         }
     }
+}
+
+/**
+ * Signs the browser in and lets it go on by itself: behind a redirection that another site began, it would not send
+ * the cookie of the session.
+ *
+ * @param course its name; empty for staff, who teach all
+ * @param page of ours to go on to
+ */
+internal suspend fun ApplicationCall.arrive(
+    accounts: Accounts,
+    who: Identity,
+    course: String,
+    page: String,
+) {
+    signIn(accounts, who)
+    val texts = texts()
+    response.header("Refresh", "0; url=$page")
+    respondPage(texts, who = null, texts.say("institution.in")) {
+        section("card") {
+            p { +texts.say("institution.in.as", texts.nameOf(who, course)) }
+            p { a(page, classes = "button") { +texts.say("institution.on") } }
+        }
+    }
+}
+
+/** The name with the role of staff, or with the course of a student. */
+internal fun PageTexts.nameOf(
+    who: Identity,
+    course: String,
+): String {
+    val place =
+        when (who) {
+            is Identity.StaffIdentity -> say("nav.${StaffRole.of(who).code}")
+            is Identity.StudentIdentity -> course
+        }
+    return listOf(who.name, place).filter { it.isNotEmpty() }.joinToString(" · ")
 }

@@ -143,6 +143,7 @@ private suspend fun ApplicationCall.respondDesk(
                     p("ways") {
                         a("/instructor/staff") { +texts.say("staff.open") }
                         a("/instructor/audit") { +texts.say("audit.open") }
+                        a("/instructor/lti") { +texts.say("lti.title") }
                     }
                 }
             }
@@ -209,6 +210,7 @@ private fun FlowContent.courseList(
                         +texts.say("instructor.complaints", waiting.complaints[course.id] ?: 0)
                     }
                     a("/instructor/courses/${course.id}/exams") { +texts.say("exams.open") }
+                    a("/instructor/courses/${course.id}/lti") { +texts.say("lti.open") }
                     if (mayChange) a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }
                 }
                 details {

@@ -12,7 +12,9 @@ import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.call
 import io.ktor.server.request.httpMethod
 import io.ktor.server.request.path
+import io.ktor.server.response.ApplicationSendPipeline
 import io.ktor.server.response.header
+import io.ktor.util.AttributeKey
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.SESSION_COOKIE
@@ -20,19 +22,37 @@ import rasterlab.grader.course.sessionCookie
 import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.problem.Rejection
+import java.net.URI
 
 /** Adds what browsers need to know to run nothing but our own files and to tell nobody where they were. */
-fun Application.protect() =
+fun Application.protect() {
     intercept(ApplicationCallPipeline.Plugins) {
-        call.response.header("Content-Security-Policy", CONTENT_POLICY)
         call.response.header("X-Content-Type-Options", "nosniff")
         call.response.header("Referrer-Policy", "same-origin")
         call.response.header("Cross-Origin-Opener-Policy", "same-origin")
         call.rememberLanguage()
     }
+    // Who answers may say in which frames; a failure on the way is answered once more.
+    sendPipeline.intercept(ApplicationSendPipeline.Before) {
+        if (call.attributes.getOrNull(GUARDED) == null) {
+            call.attributes.put(GUARDED, Unit)
+            call.response.header("Content-Security-Policy", contentPolicy(call.attributes.getOrNull(FRAMES)))
+        }
+    }
+}
 
-private const val CONTENT_POLICY =
-    "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'"
+private fun contentPolicy(frames: Set<String>?): String {
+    val others = frames.orEmpty().joinToString(" ")
+    return "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self' $others".trim() +
+        "; frame-ancestors ${others.ifEmpty { "'none'" }}"
+}
+
+/** Lets the pages of these other servers show this answer in a frame, and take a form of it. */
+internal fun ApplicationCall.mayBeFramedBy(pages: List<URI>) =
+    attributes.put(FRAMES, pages.map { "${it.scheme}://${it.rawAuthority}" }.toSet())
+
+private val FRAMES = AttributeKey<Set<String>>("whose frames may show it")
+private val GUARDED = AttributeKey<Unit>("its policy is set")
 
 /** Signs this browser in. Over plain HTTP, as in a classroom, a Secure cookie would never come back. */
 fun ApplicationCall.signIn(

@@ -187,6 +187,7 @@ class RoleRoutesTest {
                 "token" to others[1],
                 "regrade" to "none",
                 "worker" to "none",
+                "platform" to "none",
                 "adjustment" to "none",
                 "exam" to "none",
                 "comment" to question.text("id"),

@@ -129,6 +129,7 @@ class SchemaFuzzTest {
             }
         val (exam, examined) = exam()
         return mapOf(
+            "platform" to listOf(platform()),
             "exam" to listOf(exam),
             "adjustment" to adjustments,
             "comment" to comments.map { it.json().text("id") },
@@ -158,6 +159,18 @@ class SchemaFuzzTest {
                 json("""{"case":"open-case","text":"Why?"}""")
             }.json()
             .text("id")
+
+    /** A platform that is registered. */
+    private suspend fun Visit.platform(): String =
+        client
+            .post("/api/v1/lti/platforms") {
+                bearer(instructor)
+                json(
+                    """{"name":"Moodle","issuer":"https://m.example","clientId":"c","deployment":"1",
+                        "loginUrl":"https://m.example/l","tokenUrl":"https://m.example/t","keysUrl":"https://m.example/k"}""",
+                )
+            }.json()
+            .text("platform")
 
     /** An exam and a student of it, in a course of its own: nobody gets its exercise in that one. */
     private suspend fun Visit.exam(): Pair<String, String> {

@@ -50,6 +50,7 @@ class ServerWordsTest {
                     Rejection.UnknownStudent.class,
                     Rejection.UnknownStaff.class,
                     Rejection.UnknownWorker.class,
+                    Rejection.UnknownPlatform.class,
                     Rejection.LastInstructor.class,
                     Rejection.UnknownExam.class,
                     Rejection.ExamNotOpen.class,

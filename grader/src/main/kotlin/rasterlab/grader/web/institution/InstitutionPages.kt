@@ -5,7 +5,6 @@ import io.ktor.http.Cookie
 import io.ktor.http.CookieEncoding
 import io.ktor.http.HttpStatusCode
 import io.ktor.server.application.ApplicationCall
-import io.ktor.server.response.header
 import io.ktor.server.response.respond
 import io.ktor.server.response.respondRedirect
 import io.ktor.server.routing.Route
@@ -23,20 +22,17 @@ import kotlinx.html.section
 import kotlinx.html.ul
 import org.slf4j.LoggerFactory
 import rasterlab.grader.course.Accounts
-import rasterlab.grader.course.Identity
-import rasterlab.grader.course.StaffRole
 import rasterlab.grader.forwarding.Forwarding
-import rasterlab.grader.institution.Entrance
 import rasterlab.grader.institution.Entrances
 import rasterlab.grader.institution.Errand
 import rasterlab.grader.institution.InstitutionSignIn
 import rasterlab.grader.institution.SignInFault
 import rasterlab.grader.institution.SignInRefused
-import rasterlab.grader.web.PageTexts
+import rasterlab.grader.web.arrive
+import rasterlab.grader.web.nameOf
 import rasterlab.grader.web.receiveForm
 import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondPage
-import rasterlab.grader.web.signIn
 import rasterlab.grader.web.texts
 
 /** Where people go to sign in by their institution. */
@@ -79,7 +75,7 @@ fun Route.institutionPages(
             val account = receiveForm()["account"]
             val choices = sign.choices(keyHere())
             val chosen = choices.all.find { it.who.id == account } ?: throw SignInRefused(SignInFault.STALE)
-            arrive(accounts, chosen, choices.page)
+            arrive(accounts, chosen.who, chosen.course, choices.page)
         }
     get(INSTITUTION) { entry(call) }
     get(INSTITUTION_BACK) { back(call) }
@@ -114,27 +110,7 @@ private suspend fun ApplicationCall.enter(
     found: Entrances,
 ) {
     val only = found.all.singleOrNull() ?: return respondChoice(signIn, found)
-    arrive(accounts, only, found.page)
-}
-
-/**
- * Signs the browser in and lets it go on by itself: behind a redirection that another site began, it would not send
- * the cookie of the session.
- */
-private suspend fun ApplicationCall.arrive(
-    accounts: Accounts,
-    entrance: Entrance,
-    page: String,
-) {
-    signIn(accounts, entrance.who)
-    val texts = texts()
-    response.header("Refresh", "0; url=$page")
-    respondPage(texts, who = null, texts.say("institution.in")) {
-        section("card") {
-            p { +texts.say("institution.in.as", nameOf(texts, entrance)) }
-            p { a(page, classes = "button") { +texts.say("institution.on") } }
-        }
-    }
+    arrive(accounts, only.who, only.course, found.page)
 }
 
 private suspend fun ApplicationCall.respondChoice(
@@ -153,7 +129,7 @@ private suspend fun ApplicationCall.respondChoice(
                             button {
                                 name = "account"
                                 value = one.who.id
-                                +nameOf(texts, one)
+                                +texts.nameOf(one.who, one.course)
                             }
                         }
                     }
@@ -161,18 +137,6 @@ private suspend fun ApplicationCall.respondChoice(
             }
         }
     }
-}
-
-private fun nameOf(
-    texts: PageTexts,
-    entrance: Entrance,
-): String {
-    val place =
-        when (val who = entrance.who) {
-            is Identity.StaffIdentity -> texts.say("nav.${StaffRole.of(who).code}")
-            is Identity.StudentIdentity -> entrance.course
-        }
-    return listOf(entrance.who.name, place).filter { it.isNotEmpty() }.joinToString(" · ")
 }
 
 private suspend fun ApplicationCall.respondRefused(refused: SignInRefused) {

@@ -1,7 +1,7 @@
 // Keeps the part of the page that is marked `data-events` up to date: whenever the server reports
 // something new, the part is fetched again as HTML that the server has escaped. Copies the command before a
 // button "copy" where the browser lets it; elsewhere there is no such button. Keeps what was typed when the
-// language changes.
+// language changes. Sends the form that is marked `data-send`.
 "use strict";
 
 const live = document.querySelector("[data-events]");
@@ -65,6 +65,9 @@ document.addEventListener("click", (event) => {
   form.append(again);
   again.click();
 });
+
+// An answer for another server goes there by itself; elsewhere its button sends it.
+document.querySelector("form[data-send]")?.requestSubmit();
 
 if (navigator.clipboard) {
   document.documentElement.classList.add("copies");

@@ -1,0 +1,124 @@
+package rasterlab.grader.lti
+
+import io.ktor.http.HttpStatusCode
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.delete
+import io.ktor.server.routing.get
+import io.ktor.server.routing.post
+import io.ktor.server.util.getOrFail
+import kotlinx.serialization.Serializable
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.instructor
+import rasterlab.grader.course.staff
+import rasterlab.grader.problem.receiveJson
+import rasterlab.grader.problem.respondJson
+import rasterlab.grader.rules.course
+import rasterlab.grader.storage.text
+
+@Serializable
+private data class PlatformAnswer(
+    val platform: String,
+    val name: String,
+    val issuer: String,
+    val clientId: String,
+    val deployment: String,
+    val loginUrl: String,
+    val tokenUrl: String,
+    val keysUrl: String,
+    val makesStaff: Boolean,
+    val addedAt: String,
+)
+
+@Serializable
+private data class ScoreAnswer(
+    val student: String,
+    val name: String,
+    val platform: String,
+    val exercise: String,
+    val points: Int?,
+    val of: Int,
+    val state: String,
+    val sentPoints: Int?,
+    val sentAt: String?,
+    val dueAt: String?,
+    val tries: Int,
+    val fault: String?,
+)
+
+@Serializable
+private data class WokenAnswer(
+    val scores: Int,
+)
+
+/** Serves registrations of platforms to instructors, inside `authenticate`, and how scores stand there to staff. */
+fun Route.lti(
+    platforms: Platforms,
+    courses: Courses,
+    states: ScoreStates,
+) {
+    get("/lti/platforms") {
+        call.instructor()
+        call.respondJson(platforms.all().map(::answer))
+    }
+    post("/lti/platforms") {
+        val instructor = call.instructor()
+        call.respondJson(answer(platforms.add(call.form(), instructor.id)), HttpStatusCode.Created)
+    }
+    delete("/lti/platforms/{platform}") {
+        val instructor = call.instructor()
+        call.respondJson(answer(platforms.remove(call.parameters.getOrFail("platform"), instructor.id)))
+    }
+    get("/courses/{course}/lti/scores") {
+        call.staff()
+        call.respondJson(states.of(call.course(courses).id).map(::answer))
+    }
+    post("/courses/{course}/lti/scores/send") {
+        val instructor = call.instructor()
+        call.respondJson(WokenAnswer(states.sendNow(call.course(courses).id, instructor.id)))
+    }
+}
+
+private suspend fun ApplicationCall.form(): PlatformForm =
+    receiveJson("name", "issuer", "clientId", "deployment", "loginUrl", "tokenUrl", "keysUrl", "makesStaff") {
+        PlatformForm(
+            it.text("name"),
+            it.text("issuer"),
+            it.text("clientId"),
+            it.text("deployment"),
+            it.text("loginUrl"),
+            it.text("tokenUrl"),
+            it.text("keysUrl"),
+            it.flag("makesStaff", false),
+        )
+    }
+
+private fun answer(one: Platform) =
+    PlatformAnswer(
+        one.id,
+        one.name,
+        one.issuer,
+        one.clientId,
+        one.deployment,
+        "${one.login}",
+        "${one.token}",
+        "${one.keys}",
+        one.makesStaff,
+        one.addedAt.text(),
+    )
+
+private fun answer(one: ScoreState) =
+    ScoreAnswer(
+        one.student,
+        one.studentName,
+        one.platform,
+        one.exercise,
+        one.points,
+        one.of,
+        one.code,
+        one.sentPoints,
+        one.sentAt?.text(),
+        one.dueAt?.text(),
+        one.tries,
+        one.fault,
+    )
