@@ -29,6 +29,7 @@ final class ClipColors {
                             Map.entry("cyrus-beck", DARK_GREEN),
                             Map.entry("sutherland-hodgman", ORANGE),
                             Map.entry("weiler-atherton", BLUE),
+                            Map.entry("sutherland-hodgman-textbook", PURPLE),
                             Map.entry("cohen-sutherland-6", BLUE),
                             Map.entry("divide-first-textbook", PURPLE),
                             Map.entry("homogeneous", GREEN)));

@@ -32,7 +32,8 @@ final class SplineColors {
                             Map.entry("curvature-unchecked", ROSE),
                             Map.entry("fewest", SKY_BLUE),
                             Map.entry("cubic", BLUE),
-                            Map.entry("monotone", ORANGE)));
+                            Map.entry("monotone", ORANGE),
+                            Map.entry("cubic-textbook", PURPLE)));
 
     private SplineColors() {}
 }

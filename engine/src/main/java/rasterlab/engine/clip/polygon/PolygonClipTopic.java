@@ -53,7 +53,8 @@ public final class PolygonClipTopic
     public List<Method<PolygonClipper>> methods() {
         return List.of(
                 Method.failing("sutherland-hodgman", new SutherlandHodgman()),
-                Method.right("weiler-atherton", new WeilerAtherton()));
+                Method.right("weiler-atherton", new WeilerAtherton()),
+                Method.failing("sutherland-hodgman-textbook", new SutherlandHodgmanTextbook()));
     }
 
     @Override

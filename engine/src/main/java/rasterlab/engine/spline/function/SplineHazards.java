@@ -1,6 +1,9 @@
 package rasterlab.engine.spline.function;
 
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.List;
 import java.util.Map;
@@ -37,26 +40,33 @@ final class SplineHazards {
                 overshoot(),
                 exact(
                         "uneven-knots",
+                        WRONG,
                         problem(
                                 points(0, 1, 1.000001, 2, 2.000001, 5, 5.5),
                                 points(0, 1, 1.5, -1, -1.000001, 2, 0),
                                 SplineEnds.notAKnot())),
                 exact(
                         "far-from-zero",
+                        DEGRADED,
                         problem(
                                 points(1e9, 1e9 + 1, 1e9 + 3, 1e9 + 4),
                                 points(5e9, 5e9 + 2, 5e9 - 1, 5e9),
                                 SplineEnds.slopes(1, -1))),
                 exact(
                         "periodic",
+                        WRONG,
                         problem(
                                 points(0, 1, 2.5, 3, 4),
                                 points(0, 1, 0.5, -1, 0),
                                 SplineEnds.periodic())),
                 exact(
                         "three-knots",
+                        WRONG,
                         problem(points(0, 1, 3), points(0, 1, 9), SplineEnds.notAKnot())),
-                exact("two-knots", problem(points(0, 2), points(1, 2), SplineEnds.slopes(3, 0.5))));
+                exact(
+                        "two-knots",
+                        WRONG,
+                        problem(points(0, 2), points(1, 2), SplineEnds.slopes(3, 0.5))));
     }
 
     private static Hazard<SplineProblem> overshoot() {
@@ -65,15 +75,17 @@ final class SplineHazards {
         return hazard(
                 "overshoot",
                 new SplineProblem(x, step, SplineEnds.natural(), between(x), true),
-                Map.of());
+                Map.of("cubic-textbook", EXACT));
     }
 
     private static Hazard<SplineProblem> refused(String name, SplineProblem p) {
-        return hazard(name, p, Map.of("cubic", REFUSED, "monotone", REFUSED));
+        return hazard(
+                name, p, Map.of("cubic", REFUSED, "monotone", REFUSED, "cubic-textbook", WRONG));
     }
 
-    private static Hazard<SplineProblem> exact(String name, SplineProblem p) {
-        return hazard(name, p, Map.of());
+    private static Hazard<SplineProblem> exact(
+            String name, Verdict.Kind textbook, SplineProblem p) {
+        return hazard(name, p, Map.of("cubic-textbook", textbook));
     }
 
     private static Hazard<SplineProblem> hazard(

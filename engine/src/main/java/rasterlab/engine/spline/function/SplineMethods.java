@@ -11,6 +11,7 @@ final class SplineMethods {
     static List<Method<SplineFunction>> all() {
         return List.of(
                 Method.failing("cubic", new CubicSpline()),
-                Method.failing("monotone", new MonotoneSpline()));
+                Method.failing("monotone", new MonotoneSpline()),
+                Method.failing("cubic-textbook", new UniformTextbookSpline()));
     }
 }

@@ -16,7 +16,9 @@ final class FilterHazards {
     private FilterHazards() {}
 
     static List<Hazard<FilteredPixels>> all() {
-        return Stream.of(smaller(), shaped(), places(), thin()).flatMap(List::stream).toList();
+        return Stream.of(smaller(), shaped(), places(), left(), thin())
+                .flatMap(List::stream)
+                .toList();
     }
 
     private static List<Hazard<FilteredPixels>> smaller() {
@@ -55,6 +57,18 @@ final class FilterHazards {
                         row(rows(64), 1, 16, 0),
                         WRONG,
                         WRONG,
+                        EXACT,
+                        EXACT,
+                        EXACT));
+    }
+
+    private static List<Hazard<FilteredPixels>> left() {
+        return List.of(
+                hazard(
+                        "left-of-the-border",
+                        row(picture(4, (i, j) -> 64 * i), 1, 1, -16),
+                        EXACT,
+                        EXACT,
                         EXACT,
                         EXACT,
                         EXACT));
@@ -201,6 +215,8 @@ final class FilterHazards {
                         "trilinear",
                         trilinear,
                         "summed-area",
-                        summed));
+                        summed,
+                        "nearest-textbook",
+                        name.equals("left-of-the-border") ? WRONG : nearest));
     }
 }

@@ -29,6 +29,7 @@ final class FilterMethods {
                 Method.failing(
                         "trilinear",
                         new SampledFilter(TextureSampler::trilinear, TexelShares::trilinear)),
-                Method.right("summed-area", new SummedAreaFilter()));
+                Method.right("summed-area", new SummedAreaFilter()),
+                Method.failing("nearest-textbook", new MaskedTextbookFilter()));
     }
 }

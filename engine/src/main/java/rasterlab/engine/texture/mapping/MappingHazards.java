@@ -62,6 +62,8 @@ final class MappingHazards {
                         "stepped-float",
                         stepped,
                         "perspective",
-                        EXACT));
+                        EXACT,
+                        "affine-textbook",
+                        affine));
     }
 }

@@ -15,6 +15,7 @@ final class MappingMethods {
                 Method.failing("affine", new AffineMapper(TexturedSpan.MOST_PIXELS)),
                 Method.failing("affine-16", new AffineMapper(16)),
                 Method.failing("stepped-float", new SteppedMapper()),
-                Method.right("perspective", new PerspectiveMapper()));
+                Method.right("perspective", new PerspectiveMapper()),
+                Method.failing("affine-textbook", new AffineTextbookMapper()));
     }
 }
