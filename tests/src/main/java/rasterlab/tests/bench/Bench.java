@@ -2,6 +2,7 @@ package rasterlab.tests.bench;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -67,9 +68,14 @@ public final class Bench implements Callable<Integer> {
     /** The name of the part that grades as the server does. */
     private static final String GRADER = "grader";
 
+    /** The name of the part that searches for failing inputs. */
+    private static final String SEARCH = "search";
+
     @Spec private CommandSpec spec;
 
-    @Parameters(paramLabel = "GROUP", description = "raster, pipeline, plan, window or grader")
+    @Parameters(
+            paramLabel = "GROUP",
+            description = "raster, pipeline, plan, search, window or grader")
     private String group;
 
     @Option(
@@ -132,7 +138,7 @@ public final class Bench implements Callable<Integer> {
     /** The groups that can be measured; the {@code ./lab} scripts know these names too. */
     public static SortedSet<String> groups() {
         var names = new TreeSet<>(GROUPS.keySet());
-        names.addAll(List.of(PIPELINE, PLAN, WINDOW, GRADER));
+        names.addAll(List.of(PIPELINE, PLAN, SEARCH, WINDOW, GRADER));
         return names;
     }
 
@@ -142,6 +148,11 @@ public final class Bench implements Callable<Integer> {
         if (group.equals(WINDOW)) {
             new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, words, console.out()).run();
             return 0;
+        }
+        if (group.equals(SEARCH)) {
+            var longest = Duration.ofSeconds(quick ? 10 : 60);
+            boolean met = new SearchBench(longest, words, console.out()).run();
+            return met ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
         }
         if (group.equals(GRADER)) {
             new GraderBench(quick, words, console.out()).run();
@@ -175,7 +186,7 @@ public final class Bench implements Callable<Integer> {
         if (!groups().contains(group)) throw wrong("group", group, String.join(", ", groups()));
         if (minutes < 0) throw wrong("minutes.negative", String.valueOf(minutes));
         if (minutes > 0 && !group.equals(WINDOW)) throw wrong("minutes.group", group);
-        if (!only.isEmpty() && List.of(PLAN, WINDOW, GRADER).contains(group))
+        if (!only.isEmpty() && List.of(PLAN, SEARCH, WINDOW, GRADER).contains(group))
             throw wrong("only.group");
         List<String> works = works();
         if (works.stream().noneMatch(work -> work.contains(only)))
@@ -187,7 +198,7 @@ public final class Bench implements Callable<Integer> {
      * choice.
      */
     private List<String> works() {
-        if (List.of(PLAN, WINDOW, GRADER).contains(group)) return List.of("");
+        if (List.of(PLAN, SEARCH, WINDOW, GRADER).contains(group)) return List.of("");
         if (group.equals(PIPELINE)) return PipelineBench.works();
         return GROUPS.get(group).get().stream().map(Goal::work).toList();
     }

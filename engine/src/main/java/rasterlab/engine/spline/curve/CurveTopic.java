@@ -189,6 +189,17 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
         return Optional.of(SEGMENTS);
     }
 
+    /**
+     * {@inheritDoc} A curve that the reference does not follow closely enough has as many points as
+     * its flatness asks for.
+     */
+    @Override
+    public long mostBeforeEndless(long exactItems) {
+        return exactItems > MOST
+                ? Flatness.MOST_SEGMENTS + 1L
+                : Topic.super.mostBeforeEndless(exactItems);
+    }
+
     @Override
     public String item() {
         return "point";
