@@ -69,6 +69,7 @@ import rasterlab.grader.problem.showProblems
 import rasterlab.grader.problem.waitForBodies
 import rasterlab.grader.regrade.Regrades
 import rasterlab.grader.regrade.regrades
+import rasterlab.grader.report.CopiedResults
 import rasterlab.grader.report.Grades
 import rasterlab.grader.report.Results
 import rasterlab.grader.report.grades
@@ -96,6 +97,9 @@ import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.SteadyClock
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.submissions
+import rasterlab.grader.trial.StaffCopies
+import rasterlab.grader.trial.TrialDesk
+import rasterlab.grader.trial.trials
 import rasterlab.grader.web.ErrorPage
 import rasterlab.grader.web.PageParts
 import rasterlab.grader.web.classroom.effortPages
@@ -116,6 +120,8 @@ import rasterlab.grader.web.lti.toolPages
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
+import rasterlab.grader.web.trial.trialPages
+import rasterlab.grader.web.view.viewPages
 import rasterlab.grader.worker.Presence
 import rasterlab.grader.worker.Worker
 import rasterlab.grader.worker.Workers
@@ -225,6 +231,8 @@ class Server(
             clock,
         )
     private val pairs = VersionPairs(submissions, results)
+    private val copied = CopiedResults(reports, results, live, exercises)
+    private val trialDesk = TrialDesk(StaffCopies(database, clock), submissions, exercises, copied, queue::ring)
     private val exams = Exams(database, steady)
     private val sittings = Sittings(database, exercises, intake, steady, queue::ring)
     private val lti = Lti(database, accounts, courses, exercises, settings.publicAddress, clock, steady)
@@ -300,6 +308,8 @@ class Server(
             examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
             errorPages(accounts, courses, exercises, last)
             commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
+            trialPages(accounts, trialDesk, live)
+            viewPages(accounts, submissions)
             comparePages(accounts, exercises, pairs)
             complaintPages(accounts, courses, exercises, submissions, complaints, pageParts.resultPage)
             questionPages(accounts, courses, exercises, comments, keptComments)
@@ -328,6 +338,7 @@ class Server(
                     exams(courses, exercises, exams, sittings)
                     comments(submissions, comments)
                     courseComments(courses, comments, keptComments)
+                    trials(trialDesk)
                     comparisons(pairs)
                     complaints(submissions, courses, complaints)
                     results(results, live)

@@ -196,6 +196,12 @@ class Accounts(
             now
         }
 
+    /** Notes that one of the staff looks at the pages as the student has them. */
+    fun noteView(
+        student: Identity.StudentIdentity,
+        by: String,
+    ) = database.write { AuditNote(by, student.course, "view", student.id, detail = "").write(it, clock.instant()) }
+
     /** Tells since when a student has no token; null where they have one. */
     fun revokedSince(student: String): Instant? = database.read { revokedSince(it, student) }
 

@@ -12,7 +12,9 @@ import io.ktor.server.request.path
 import io.ktor.server.response.respondRedirect
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
+import rasterlab.grader.course.hasView
 import rasterlab.grader.course.sessionCookie
+import rasterlab.grader.course.viewedStudent
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.submission.Submissions
@@ -33,6 +35,7 @@ class ExamGuard(
                 .map { it.decodeURLPart() }
         // The pages of exams look themselves at who may have which.
         if (parts.firstOrNull() in FREE || parts.firstOrNull() == EXAMS || parts == API + EXAMS) return true
+        viewed(call)?.let { refuseKept(it, parts) }
         return students(call).all { pass(call, it, parts) }
     }
 
@@ -53,6 +56,13 @@ class ExamGuard(
         if (!belongs(sitting, parts)) throw Rejection.InExam(sitting.exam.name)
         sittings.enter(sitting.exam.id, call.examinee(who))
         return true
+    }
+
+    /** The student whose view staff have; it shows no more than the student has. */
+    private fun viewed(call: ApplicationCall): Identity.StudentIdentity? {
+        if (call.request.path().startsWith("/instructor")) return null
+        val session = call.sessionCookie()?.takeIf { call.hasView() } ?: return null
+        return accounts.inSession(session)?.let { call.viewedStudent(accounts, it) }
     }
 
     /** Who calls by token and who by cookie: pages look at the one, the API at the other. */

@@ -17,7 +17,10 @@ internal class Counted(
         ): Counted =
             Counted(
                 handle.numbers("SELECT state, count(*) FROM submissions GROUP BY state"),
-                handle.numbers("SELECT verdict, count(*) FROM results GROUP BY verdict"),
+                handle.numbers(
+                    """SELECT verdict, count(*) FROM results
+                       WHERE NOT EXISTS (SELECT 1 FROM trials WHERE result_id = results.id) GROUP BY verdict""",
+                ),
                 waited(handle, now),
             )
 

@@ -229,6 +229,19 @@ sealed class Rejection(
         id: String,
     ) : Explained("complaints", "unknown", arrayOf(id), "unknown-complaint")
 
+    /** A copy that cannot be run now; nothing is stored. */
+    class BadTrial(
+        fault: String,
+        vararg values: Any,
+    ) : Explained("trials", fault, values, "bad-trial")
+
+    class UnknownTrial(
+        id: String,
+    ) : Explained("trials", "unknown", arrayOf(id), "unknown-trial")
+
+    /** Refuses to change something where staff look at the pages as a student has them. */
+    class OnlyLooks : Rejection("this is the view of a student, in which staff change nothing", "only-looks")
+
     /** Work came before the exercise opens. */
     class NotOpen(
         exercise: String,

@@ -20,12 +20,13 @@ fun Rejection.status(): HttpStatusCode =
     when (this) {
         is Rejection.NotSignedIn -> Unauthorized
         is Rejection.WrongRole, is Rejection.ForeignOrigin, is Rejection.ForeignComment -> Forbidden
+        is Rejection.OnlyLooks -> Forbidden
         is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
         is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment, is Rejection.UnknownComment -> NotFound
-        is Rejection.UnknownExam, is Rejection.UnknownWorker, is Rejection.UnknownComplaint -> NotFound
-        is Rejection.UnknownPlatform -> NotFound
+        is Rejection.UnknownExam, is Rejection.UnknownWorker, is Rejection.UnknownPlatform -> NotFound
+        is Rejection.UnknownComplaint, is Rejection.UnknownTrial -> NotFound
         is Rejection.InExam, is Rejection.ExamAddress -> Forbidden
         is Rejection.ExamNotOpen, is Rejection.ExamOver, is Rejection.OtherSession -> Conflict
         is Rejection.RegradeStands -> Conflict

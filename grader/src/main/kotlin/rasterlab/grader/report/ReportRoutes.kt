@@ -99,8 +99,7 @@ class Results(
                 who,
                 id,
             ).firstOrNull { it.name() == case && it.pictures().isNotEmpty() }?.pictures().orEmpty()
-        val found = CasePicture.of(pictures, picture.removeSuffix(PNG)).getOrNull()
-        return found?.png(language)?.takeIf { picture.endsWith(PNG) } ?: throw Rejection.UnknownPicture(case, picture)
+        return pictureIn(pictures, picture, language) ?: throw Rejection.UnknownPicture(case, picture)
     }
 
     /** A case that [who] may see, as a file that the lab opens. */
@@ -118,10 +117,11 @@ class Results(
     fun source(
         who: Identity,
         id: String,
-    ): SavedFile {
-        val submission = submissions.seenBy(who, id)
-        return SavedFile(files(submission).source, form(submission).mediaType(), submission.source)
-    }
+    ): SavedFile = sourceFile(submissions.seenBy(who, id))
+
+    /** The text of [submission], as a file. */
+    internal fun sourceFile(submission: Submission) =
+        SavedFile(files(submission).source, form(submission).mediaType(), submission.source)
 
     /** Names of files that lead from the submission to the lab. */
     fun files(submission: Submission): LabFiles {
@@ -141,6 +141,18 @@ class Results(
         return recorded?.cases() ?: live.casesOf(id).map { it.seenBy(who, due) }
     }
 }
+
+/** The file of one of [pictures], whose name is [picture]; null where it is none of them. */
+internal fun pictureIn(
+    pictures: List<CasePicture>,
+    picture: String,
+    language: String,
+): ByteArray? =
+    CasePicture
+        .of(pictures, picture.removeSuffix(PNG))
+        .getOrNull()
+        ?.png(language)
+        ?.takeIf { picture.endsWith(PNG) }
 
 /** Serves results to the owner and to staff, inside `authenticate`. */
 fun Route.results(
@@ -179,7 +191,7 @@ fun Route.results(
 
 fun ApplicationCall.submissionId(): String = parameters.getOrFail("id")
 
-private suspend fun ApplicationCall.respondFile(file: SavedFile) {
+internal suspend fun ApplicationCall.respondFile(file: SavedFile) {
     val saved = ContentDisposition.Attachment.withParameter(ContentDisposition.Parameters.FileName, file.name)
     response.header(HttpHeaders.ContentDisposition, saved.toString())
     response.header(HttpHeaders.CacheControl, "private, no-store")

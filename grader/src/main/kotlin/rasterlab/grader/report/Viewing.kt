@@ -110,12 +110,17 @@ class Due(
     }
 }
 
-/** The words beside a case, in one language. */
+/**
+ * The words beside a case, in one language.
+ *
+ * @param address under which its pictures are; null for that of the submission
+ */
 class CaseWords(
     val language: String,
     val title: (CaseReport) -> String,
     val reason: (CaseReport) -> String?,
     val rule: (CaseReport) -> CaseRule? = { null },
+    val address: String? = null,
 )
 
 /** A part of a published report in our JSON, as it writes itself. */
@@ -198,7 +203,7 @@ fun CaseReport.view(
     submission: String,
     words: CaseWords,
 ): PublishedCase {
-    val folder = "/api/v1/submissions/$submission/cases/${name()}"
+    val folder = "${words.address ?: "/api/v1/submissions/$submission"}/cases/${name()}"
     val case =
         PublishedCase.of(this, words.language, words.title(this)) {
             val asked = if (it.file().hasOwn(words.language)) "?lang=${words.language}" else ""

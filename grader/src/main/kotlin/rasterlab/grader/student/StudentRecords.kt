@@ -67,7 +67,8 @@ class StudentRecords(
         val results =
             handle
                 .rows(
-                    "SELECT r.* FROM results r JOIN submissions s ON s.id = r.submission_id $OWN ORDER BY run",
+                    """SELECT r.* FROM results r JOIN submissions s ON s.id = r.submission_id $OWN
+                       AND NOT EXISTS (SELECT 1 FROM trials WHERE result_id = r.id) ORDER BY run""",
                     student,
                 ) { it.getString("submission_id") to result(it) }
                 .groupBy({ it.first }, { it.second })
@@ -105,8 +106,7 @@ class StudentRecords(
                 extensions = handle.of("extensions", "exercise", student, ::extension),
                 hints = handle.of("hints", "taken_at", student, ::hint),
                 submissions = handle.of("submissions", "sequence", student) { submission(it, results, points) },
-                comments =
-                    handle.rows("$SAID $OWN ORDER BY c.written_at, c.id", student, ::comment),
+                comments = handle.rows("$SAID $OWN ORDER BY c.written_at, c.id", student, ::comment),
                 complaints =
                     handle.rows(
                         "SELECT c.* FROM complaints c JOIN submissions s ON s.id = c.submission_id $OWN ORDER BY opened_at, c.id",
@@ -262,7 +262,8 @@ class StudentRecords(
         const val MADE =
             """made = :student OR made IN ($THEIRS) OR owner = 'hints ' || :student
                OR made IN (SELECT id FROM comments WHERE submission_id IN ($THEIRS))
-               OR made IN (SELECT id FROM complaints WHERE submission_id IN ($THEIRS))"""
+               OR made IN (SELECT id FROM complaints WHERE submission_id IN ($THEIRS))
+               OR made IN (SELECT id FROM trials WHERE submission_id IN ($THEIRS))"""
 
         /** The tables of what a student did at exams. */
         val EXAMS = listOf("exam_events", "exam_drafts", "exam_sittings")
@@ -273,6 +274,7 @@ class StudentRecords(
                 "DELETE FROM regrade_items WHERE submission_id IN ($THEIRS)",
                 "DELETE FROM idempotency_keys WHERE $MADE",
                 "DELETE FROM complaints WHERE submission_id IN ($THEIRS)",
+                "DELETE FROM trials WHERE submission_id IN ($THEIRS)",
             ) +
                 listOf("case_pictures", "case_results", "diagnostics", "speed_methods").map {
                     "DELETE FROM $it WHERE result_id IN ($RUNS)"

@@ -52,7 +52,7 @@ class Attempts(
     fun running(): Int = open.get()
 
     /**
-     * Grades the submission whose turn it is, if one waits, and else one that is to be graded again. A mistake of ours is tried again; the last
+     * Grades the submission whose turn it is, if one waits, and else a copy that staff run, or one that is to be graded again. A mistake of ours is tried again; the last
      * one stands as an `internal` result that a person has to look at.
      *
      * @throws InterruptedException when the server stops; the submission is back in the queue then
@@ -75,6 +75,9 @@ class Attempts(
         leases.claimNext()?.let { lease ->
             claimed(lease.submission)
             return attempt(lease, leases) { live.judged(lease.submission.id, it) }
+        }
+        leases.trials.claimNext()?.let { lease ->
+            return attempt(lease, leases.trials) { live.judged(lease.submission.id, it) }
         }
         leases.regrades.claimNext()?.let { return attempt(it, leases.regrades) {} }
         return measureNext()

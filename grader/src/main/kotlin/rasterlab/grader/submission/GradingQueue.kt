@@ -93,7 +93,7 @@ class GradingQueue(
     /**
      * There is something to grade, and it is stored already: a ring that fails is made up for by the sweep.
      *
-     * @param id of the submission, or of the regrade that begins
+     * @param id of the submission, the copy, or the regrade that begins
      */
     fun ring(id: String) {
         try {
@@ -110,7 +110,7 @@ class GradingQueue(
      */
     fun sweep() {
         leases.releaseExpired()
-        val again = minOf(leases.regrades.waiting(), AGAIN)
+        val again = minOf(leases.regrades.waiting() + leases.trials.waiting(), AGAIN)
         val wanted = if (leases.measurements.isDue()) 1 else submissions.waiting() + again
         repeat(wanted - rings()) {
             scheduler.scheduleIfNotExists(task.instance(Secrets.newId()), clock.instant())

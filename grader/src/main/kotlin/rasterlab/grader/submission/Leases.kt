@@ -98,6 +98,11 @@ class Leases(
     /** Submissions that are graded again when no new one waits. */
     val regrades = RegradeLeases(database, reports, clock, steady, holder)
 
+    /** Copies that staff run when no new submission waits. */
+    val trials = TrialLeases(database, reports, clock, steady, holder)
+
+    private val beside = listOf(regrades, trials)
+
     /** Begins an attempt at the submission whose turn it is, or null if none waits. */
     fun claimNext(): Lease? {
         val token = Lease.newToken(holder)
@@ -178,7 +183,7 @@ class Leases(
 
     /** Puts back into the queue what nobody grades any more. */
     fun releaseExpired() {
-        regrades.releaseExpired()
+        beside.forEach { it.releaseExpired() }
         database.write {
             Lease.releaseRunOut(it, "$RELEASE WHERE state <> 'done'", steady.instant())
             Lease.releaseRunOut(it, "$MEASURED WHERE state = 'done'", steady.instant())
@@ -190,7 +195,7 @@ class Leases(
      * Speeds that nobody measures are due now: the clock may have been set since.
      */
     fun releaseHeld() {
-        regrades.releaseHeld()
+        beside.forEach { it.releaseHeld() }
         database.write {
             Lease.releaseHeld(it, "$RELEASE WHERE state = 'running'", holder)
             Lease.releaseHeld(it, "$MEASURED WHERE state = 'done'", holder)
@@ -200,7 +205,7 @@ class Leases(
 
     /** Puts everything back: for a server that starts and is alone on its database. */
     fun releaseAll() {
-        regrades.releaseAll()
+        beside.forEach { it.releaseAll() }
         database.write {
             it.execute("$RELEASE WHERE state <> 'done'")
             it.execute("$MEASURED, speed_due = NULL WHERE speeds_left > 0")

@@ -35,11 +35,19 @@ class Reports(
     private val database: Database,
 ) {
     /** The current report of a submission, with nothing hidden, or null. */
-    fun of(submission: String): Recorded? =
+    fun of(submission: String): Recorded? = recorded("submission_id = :id AND is_current = 1", submission)
+
+    /** The report of a result by its id, with nothing hidden, or null. */
+    fun at(result: String): Recorded? = recorded("id = :id", result)
+
+    private fun recorded(
+        condition: String,
+        id: String,
+    ): Recorded? =
         database.read { handle ->
             handle
-                .createQuery("SELECT * FROM results WHERE submission_id = :id AND is_current = 1")
-                .bind("id", submission)
+                .createQuery("SELECT * FROM results WHERE $condition")
+                .bind("id", id)
                 .map { row, _ ->
                     val result = row.getString("id")
                     val points =

@@ -68,6 +68,7 @@ class Submissions(
                 .createQuery(
                     """SELECT state || ' ' || count(*) AS counted FROM submissions GROUP BY state
                        UNION ALL SELECT 'again ' || state || ' ' || count(*) FROM regrade_items GROUP BY state
+                       UNION ALL SELECT 'trial ' || state || ' ' || count(*) FROM trials GROUP BY state
                        ORDER BY counted""",
                 ).mapTo(String::class.java)
                 .list()

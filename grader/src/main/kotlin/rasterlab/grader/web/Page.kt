@@ -56,6 +56,7 @@ suspend fun ApplicationCall.respondPage(
     // A form's address shows nothing by itself, so another language begins where the form was.
     val here = request.httpMethod == HttpMethod.Get || form != null
     val path = if (here) request.path().here() else pageBefore() ?: "/"
+    val viewed = attributes.getOrNull(VIEWED)
     response.header(HttpHeaders.CacheControl, "no-store")
     respondHtml(status) {
         lang = texts.language
@@ -71,6 +72,7 @@ suspend fun ApplicationCall.respondPage(
         body {
             a("#content", classes = "skip") { +texts.say("skip") }
             header { navigation(texts, who, path, form) }
+            viewed?.let { viewing(texts, it) }
             main {
                 id = "content"
                 h1 { +heading }
@@ -79,6 +81,16 @@ suspend fun ApplicationCall.respondPage(
             footer { p { +texts.say("app.about") } }
         }
     }
+}
+
+/** Tells staff that they have a student's view, and leads out of it. */
+private fun FlowContent.viewing(
+    texts: PageTexts,
+    student: Identity.StudentIdentity,
+) = div("viewing") {
+    attributes["role"] = "status"
+    span { +texts.say("view.banner", student.name) }
+    form("/instructor/view/end", method = kotlinx.html.FormMethod.post) { button { +texts.say("view.end") } }
 }
 
 private fun FlowContent.navigation(

@@ -166,7 +166,7 @@ class ResultPage(
                 }
                 result(texts, view, submission.source, files, sheet, cases.below(texts, who, submission, typed))
             }
-            ways(texts, who, submission)
+            ways(texts, who, submission, files.asksForPrograms)
             val title = texts.say(if (files.asksForPrograms) "result.source" else "result.handed")
             handed.show(this, texts, who, submission, title, typed)
             if (who is Identity.Instructor && view.verdict != null) {
@@ -180,9 +180,18 @@ class ResultPage(
         texts: PageTexts,
         who: Identity,
         submission: Submission,
+        isProgram: Boolean,
     ) {
-        if (!free(who) || submissions.ofStudent(submission.student, submission.exercise).size < 2) return
-        p("ways") { a("/submissions/${submission.id}/compare") { +texts.say("compare.open") } }
+        if (!free(who)) return
+        val several = submissions.ofStudent(submission.student, submission.exercise).size > 1
+        if (!several && who !is Identity.StaffIdentity) return
+        div("ways") {
+            if (several) a("/submissions/${submission.id}/compare") { +texts.say("compare.open") }
+            if (who is Identity.StaffIdentity) {
+                if (isProgram) a("/instructor/submissions/${submission.id}/trials") { +texts.say("trial.open") }
+                viewButton(texts, submission.student, submission.id)
+            }
+        }
     }
 
     /** The exercise, and to an instructor the student. */

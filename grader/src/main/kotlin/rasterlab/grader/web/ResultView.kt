@@ -43,6 +43,8 @@ import kotlin.jvm.optionals.getOrNull
  * @param files that show failed cases in the lab
  * @param sheet that was answered; null where there is none
  * @param below what stands below a case beside its result
+ * @param page address of the page that it is on
+ * @param api address under which its files are
  */
 fun DIV.result(
     texts: PageTexts,
@@ -51,10 +53,12 @@ fun DIV.result(
     files: LabFiles,
     sheet: SheetResult?,
     below: FlowContent.(PublishedCase) -> Unit = {},
+    page: String = "/submissions/${view.id}",
+    api: String = "/api/v1/submissions/${view.id}",
 ) {
     div("verdict card") {
         status(texts, view.verdict, view.state)
-        progress(texts, view)
+        progress(texts, view, page)
         view.points?.let { points(texts, it, view.penalty, files.asksForPrograms) }
         if (!view.current) p("earlier") { +texts.say("result.earlier", view.revision) }
         if (view.verdict == "internal") p { +texts.say("result.internal") }
@@ -66,7 +70,7 @@ fun DIV.result(
         if (view.cases.flatMap { it.pictures }.any { isOfPixels(it) }) p("legend") { +texts.say("result.legend") }
         alike(view.cases).forEach { group ->
             val show = { case: PublishedCase ->
-                case(texts, case, files, "/api/v1/submissions/${view.id}", sheet, below)
+                case(texts, case, files, api, sheet, below)
             }
             show(group.first())
             if (group.size > 1) others(texts, group.drop(1), show)
@@ -94,15 +98,29 @@ private fun FlowContent.others(
 private fun FlowContent.progress(
     texts: PageTexts,
     view: SubmissionView,
+    page: String,
 ) {
     if (view.verdict != null) return
     p {
         when (view.state) {
-            "queued" -> +texts.say("result.position", view.position)
-            else -> +texts.say("result.running", view.cases.size)
+            "queued" -> {
+                +(
+                    if (view.position >
+                        0
+                    ) {
+                        texts.say("result.position", view.position)
+                    } else {
+                        texts.say("trial.waits")
+                    }
+                )
+            }
+
+            else -> {
+                +texts.say("result.running", view.cases.size)
+            }
         }
         +" "
-        a("/submissions/${view.id}") { +texts.say("result.reload") }
+        a(page) { +texts.say("result.reload") }
     }
 }
 

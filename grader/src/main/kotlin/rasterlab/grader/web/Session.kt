@@ -18,7 +18,9 @@ import io.ktor.util.AttributeKey
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.SESSION_COOKIE
+import rasterlab.grader.course.VIEW_COOKIE
 import rasterlab.grader.course.sessionCookie
+import rasterlab.grader.course.viewedStudent
 import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.problem.Rejection
@@ -65,6 +67,7 @@ fun ApplicationCall.signIn(
 
 fun ApplicationCall.signOut(accounts: Accounts) {
     sessionCookie()?.let(accounts::close)
+    viewAs("")
     response.cookies.append(cookie(SESSION_COOKIE, "", 0, secure = false))
 }
 
@@ -75,12 +78,34 @@ fun ApplicationCall.studentHere(accounts: Accounts): Identity.StudentIdentity =
     someone(accounts) as? Identity.StudentIdentity ?: throw Rejection.WrongRole("student")
 
 fun ApplicationCall.staffHere(accounts: Accounts): Identity.StaffIdentity =
-    someone(accounts) as? Identity.StaffIdentity ?: throw Rejection.WrongRole("instructor or assistant")
+    itself(accounts) as? Identity.StaffIdentity ?: throw Rejection.WrongRole("instructor or assistant")
 
 fun ApplicationCall.instructorHere(accounts: Accounts): Identity.Instructor =
-    someone(accounts) as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")
+    itself(accounts) as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")
 
-fun ApplicationCall.someone(accounts: Accounts): Identity = visitor(accounts) ?: throw Rejection.NotSignedIn()
+/**
+ * Who looks at a page: the student whose view a browser of staff has, and else whoever signed in.
+ *
+ * @throws Rejection.OnlyLooks where staff would change something in a student's place
+ */
+fun ApplicationCall.someone(accounts: Accounts): Identity {
+    val who = itself(accounts)
+    val viewed = viewedStudent(accounts, who) ?: return who
+    if (request.httpMethod != HttpMethod.Get) throw Rejection.OnlyLooks()
+    attributes.put(VIEWED, viewed)
+    return viewed
+}
+
+/** The student whose view this page is, which staff have. */
+internal val VIEWED = AttributeKey<Identity.StudentIdentity>("the student whose view staff have")
+
+private fun ApplicationCall.itself(accounts: Accounts): Identity = visitor(accounts) ?: throw Rejection.NotSignedIn()
+
+/** Gives this browser of staff the view of a student; an empty id gives back its own. */
+internal fun ApplicationCall.viewAs(student: String) {
+    val seconds = if (student.isEmpty()) 0 else Accounts.SESSION_LENGTH.seconds.toInt()
+    response.cookies.append(cookie(VIEW_COOKIE, student, seconds, attributes.getOrNull(Forwarding.SECURE) == true))
+}
 
 /** Lets a form through only if the browser says that one of our own pages sent it. */
 fun ApplicationCall.requireOwnForm() {

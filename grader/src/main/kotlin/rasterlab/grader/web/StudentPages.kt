@@ -78,6 +78,11 @@ private suspend fun ApplicationCall.respondStudent(
         p("plan") { +texts.say("student.about", kept.number, kept.joinedAt.take(DAY_LENGTH)) }
         val rows = submissions.allOf(kept.student)
         if (rows.isEmpty()) p { +texts.say("exercise.mine.none") } else classTable(texts, exercises, rows)
+        section("card apart") {
+            h2 { +texts.say("view.heading") }
+            p { +texts.say("view.about") }
+            viewButton(texts, kept.student, submission = null)
+        }
         if (who is Identity.Instructor) {
             section("card apart") { access(texts, kept, revokedSince) }
             section("card apart") {
@@ -113,6 +118,20 @@ private fun FlowContent.access(
             }
         }
     }
+}
+
+/**
+ * Gives staff the view of a student.
+ *
+ * @param submission on whose page it begins; null for the page of the exercises
+ */
+internal fun FlowContent.viewButton(
+    texts: PageTexts,
+    student: String,
+    submission: String?,
+) = form("/instructor/students/$student/view", method = FormMethod.post) {
+    submission?.let { input(InputType.hidden, name = "submission") { value = it } }
+    button(classes = "plain") { +texts.say(if (submission == null) "view.do" else "view.do.here") }
 }
 
 private const val DAY_LENGTH = 10

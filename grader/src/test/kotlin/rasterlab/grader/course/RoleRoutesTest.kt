@@ -6,6 +6,7 @@ import io.ktor.client.request.prepareRequest
 import io.ktor.client.request.setBody
 import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsChannel
+import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpMethod
 import io.ktor.server.routing.HttpMethodRouteSelector
@@ -165,13 +166,6 @@ class RoleRoutesTest {
                     bearer(student)
                     json("""{"text":"Why?"}""")
                 }.execute { it.json() }
-        val complaint =
-            client
-                .prepareRequest("/api/v1/submissions/${submissions[0].second}/complaints") {
-                    method = HttpMethod.Post
-                    bearer(student)
-                    json("""{"case":"open-case","text":"Why?"}""")
-                }.execute { it.json() }
         val id = checkNotNull(Accounts(database, InstantSource.system()).holder(student)).id
         return Place(
             listOf(null, student, others[0], assistants[0].token, instructor),
@@ -191,8 +185,9 @@ class RoleRoutesTest {
                 "adjustment" to "none",
                 "exam" to "none",
                 "comment" to question.text("id"),
+                "trial" to copy(submissions[0].second),
                 "other" to submissions[0].second,
-                "complaint" to complaint.text("id"),
+                "complaint" to complaint(student, submissions[0].second),
                 "kept" to "none",
                 "case" to "open-case",
                 "picture" to "actual.png",
@@ -200,6 +195,35 @@ class RoleRoutesTest {
                 "..." to "rasterlab.css",
             ),
         )
+    }
+
+    /** A complaint about a case of that submission. */
+    private suspend fun Visit.complaint(
+        student: String,
+        submission: String,
+    ): String =
+        client
+            .prepareRequest("/api/v1/submissions/$submission/complaints") {
+                method = HttpMethod.Post
+                bearer(student)
+                json("""{"case":"open-case","text":"Why?"}""")
+            }.execute { it.json().text("id") }
+
+    /** A copy of that submission that is graded. */
+    private suspend fun Visit.copy(submission: String): String {
+        val copy =
+            client
+                .prepareRequest("/api/v1/submissions/$submission/trials") {
+                    method = HttpMethod.Post
+                    bearer(instructor)
+                    header(HttpHeaders.ContentType, "text/x-java-source")
+                    setBody("class Dot { }")
+                }.execute { it.json().text("id") }
+        val cookie = cookieOf(instructor)
+        client
+            .prepareRequest("/instructor/trials/$copy/events") { header(HttpHeaders.Cookie, cookie) }
+            .execute { it.bodyAsText() }
+        return copy
     }
 
     private fun call(route: RoutingNode): String? {

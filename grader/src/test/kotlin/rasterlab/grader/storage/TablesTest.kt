@@ -187,6 +187,31 @@ class TablesTest {
             }
         }
 
+    @Test
+    @DisplayName("a course of version 23 is lost in one of the databases, or none of its submissions can be copied")
+    fun takesCopiesWhereThereWereNone() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("11")
+                fill(source, 11)
+                Tables(source).migrate("23")
+                source.execute(
+                    """INSERT INTO complaints (id, submission_id, result_id, case_name, text, opened_at)
+                       SELECT 'k', submission_id, id, 'case of r1', 'why?', '$THEN' FROM results WHERE is_current = 1""",
+                )
+                source.execute("UPDATE students SET named_on_front = 1 WHERE id = 'b'")
+                Tables(source).migrate()
+                assertWhole(source, 11)
+                source.assertRows("case_name, text FROM complaints", "case of r1 why?")
+                source.assertRows("id FROM students WHERE named_on_front = 1", "b")
+                source.execute(
+                    """INSERT INTO trials (id, submission_id, account_id, revision, source, begun_at)
+                       VALUES ('t', 's', 'i', 'r1', 'class Dot {}', '$THEN')""",
+                )
+                source.assertRows("state, result_id FROM trials", "queued null")
+            }
+        }
+
     private fun sqlite(): DataSource =
         SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
             .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }

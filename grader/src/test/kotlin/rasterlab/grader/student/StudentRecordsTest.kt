@@ -155,6 +155,12 @@ class StudentRecordsTest {
                    SELECT 'k' || id, submission_id, id, 'open-case', 'no', '2026-03-01T12:00:00.000Z' FROM results""",
             )
             handle.execute("INSERT INTO idempotency_keys SELECT 'complaints', id, '', id, '' FROM complaints")
+            handle.execute(
+                """INSERT INTO trials (id, submission_id, account_id, revision, source, begun_at, state, result_id)
+                   SELECT 't' || id, submission_id, 'i', 'r1', 'class Copy {}', '2026-03-01T12:00:00.000Z', 'done', NULL
+                   FROM results""",
+            )
+            handle.execute("INSERT INTO idempotency_keys SELECT 'trials', id, '', id, '' FROM trials")
             handle.execute("UPDATE students SET named_on_front = 1 WHERE number = 1")
             handle.execute("INSERT INTO diagnostics SELECT id, 0, 1, 1, 'm', '' FROM results")
             handle.execute(
@@ -179,6 +185,7 @@ class StudentRecordsTest {
             "roster_fields",
             "comments",
             "complaints",
+            "trials",
             "regrade_items",
             "adjustments",
             "sessions",

@@ -122,11 +122,6 @@ class SchemaFuzzTest {
                     json("""{"text":"Why?","line":1}""")
                 }
             }
-        val kept =
-            client.post("/api/v1/courses/$course/kept-comments") {
-                bearer(instructor)
-                json("""{"name":"names","text":"Say it in the name."}""")
-            }
         val (exam, examined) = exam()
         return mapOf(
             "platform" to listOf(platform()),
@@ -134,8 +129,9 @@ class SchemaFuzzTest {
             "adjustment" to adjustments,
             "comment" to comments.map { it.json().text("id") },
             "other" to listOf(id),
+            "trial" to listOf(trial(id)),
             "complaint" to listOf(complaint(student, id)),
-            "kept" to listOf(kept.json().text("id")),
+            "kept" to listOf(kept(course)),
             "regrade" to listOf(regrade),
             "course" to listOf(course),
             "id" to listOf("draw-dot", id),
@@ -147,6 +143,25 @@ class SchemaFuzzTest {
             "token" to listOf(student, student, instructor, instructor, "", "no-token"),
         )
     }
+
+    /** A copy of that submission that staff run. */
+    private suspend fun Visit.trial(submission: String): String =
+        client
+            .post("/api/v1/submissions/$submission/trials") {
+                bearer(instructor)
+                header("Content-Type", "text/x-java-source")
+                setBody("class Dot { }")
+            }.json()
+            .text("id")
+
+    /** A comment that a course keeps. */
+    private suspend fun Visit.kept(course: String): String =
+        client
+            .post("/api/v1/courses/$course/kept-comments") {
+                bearer(instructor)
+                json("""{"name":"names","text":"Say it in the name."}""")
+            }.json()
+            .text("id")
 
     /** A complaint about a case of that submission. */
     private suspend fun Visit.complaint(

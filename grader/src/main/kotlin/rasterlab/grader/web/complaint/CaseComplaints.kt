@@ -21,8 +21,8 @@ import kotlinx.html.summary
 import rasterlab.exercises.published.PublishedCase
 import rasterlab.grader.complaint.CaseComplaint
 import rasterlab.grader.complaint.ComplaintAnswer
-import rasterlab.grader.complaint.ComplaintState
 import rasterlab.grader.complaint.ComplaintDesk
+import rasterlab.grader.complaint.ComplaintState
 import rasterlab.grader.complaint.canBeComplainedOf
 import rasterlab.grader.course.Identity
 import rasterlab.grader.storage.Secrets

@@ -13,8 +13,8 @@ import kotlinx.html.h2
 import kotlinx.html.h3
 import kotlinx.html.p
 import rasterlab.grader.comment.CommentText
-import rasterlab.grader.complaint.ComplaintPage
 import rasterlab.grader.complaint.ComplaintDesk
+import rasterlab.grader.complaint.ComplaintPage
 import rasterlab.grader.complaint.ListedComplaint
 import rasterlab.grader.complaint.accepts
 import rasterlab.grader.course.Accounts

@@ -51,6 +51,7 @@ import rasterlab.grader.submission.HandedForm
 import rasterlab.grader.submission.receiveFields
 import rasterlab.grader.submission.sourceOf
 import rasterlab.grader.web.PageTexts
+import rasterlab.grader.web.VIEWED
 import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.markdownAsHtml
 import rasterlab.grader.web.requireOwnForm
@@ -175,6 +176,8 @@ private suspend fun ApplicationCall.respondSitting(
     starter: (Identity, Exercise) -> String,
 ) {
     val student = studentHere(accounts)
+    // To enter an exam is noted, and begins a session.
+    if (attributes.contains(VIEWED)) throw Rejection.OnlyLooks()
     val sitting =
         try {
             sittings.enter(parameters.getOrFail("exam"), examinee(student))
