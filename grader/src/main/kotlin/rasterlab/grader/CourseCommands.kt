@@ -10,11 +10,13 @@ import picocli.CommandLine.Spec
 import rasterlab.exercises.CatalogueException
 import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Name
 import rasterlab.grader.course.RosterChange
 import rasterlab.grader.course.RosterImport
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.report.Grades
 import rasterlab.grader.report.GradesReader
+import rasterlab.grader.rules.CourseExercises
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.Database
@@ -29,7 +31,7 @@ import java.util.concurrent.Callable
 @Command(
     name = "course",
     mixinStandardHelpOptions = true,
-    description = ["Lists courses, takes rosters, sets rules and writes marks."],
+    description = ["Makes and lists courses, takes rosters, sets rules and writes marks."],
 )
 internal class CourseCommand(
     private val words: CommandWords,
@@ -97,6 +99,30 @@ internal class CourseListCommand : Callable<Int> {
                 val students = courses.students(course.id).orEmpty().size
                 spec.commandLine().out.println("${course.id}\t${course.code}\t$students\t${course.name}")
             }
+        }
+        return 0
+    }
+}
+
+@Command(
+    name = "create",
+    mixinStandardHelpOptions = true,
+    description = ["Makes a course, and prints its id and the code that students join with."],
+)
+internal class CourseCreateCommand : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
+    @Mixin
+    lateinit var of: DataOptions
+
+    @Parameters(index = "0", paramLabel = "NAME", descriptionKey = "rules.name", description = ["The course's name."])
+    lateinit var name: String
+
+    override fun call(): Int {
+        of.open().use { database ->
+            val made = Courses(database, InstantSource.system()).create(by = "command", Name.of(name), key = null)
+            spec.commandLine().out.println("course\t${made.id}\ncode\t${made.code}")
         }
         return 0
     }
@@ -183,7 +209,9 @@ internal class CourseGradesCommand : Callable<Int> {
     override fun call(): Int =
         options.open { database, courses ->
             courses.find(options.course) ?: throw options.unknown()
-            val grades = Grades(courses, Marks(database), Exercises(catalogue.read().all()) { _, _ -> null })
+            val exercises = Exercises(catalogue.read().all())
+            val chosen = CourseExercises(database, exercises.all.map { it.id() }, InstantSource.system())
+            val grades = Grades(courses, Marks(database), exercises, chosen)
             spec.commandLine().out.print(grades.of(options.course, reader, "en"))
             spec.commandLine().out.flush()
             0

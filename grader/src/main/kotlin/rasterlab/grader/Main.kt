@@ -123,7 +123,9 @@ private fun programOf(words: CommandWords): CommandLine =
         .addSubcommand(
             CommandLine(CourseCommand(words))
                 .addSubcommand(CourseListCommand())
+                .addSubcommand(CourseCreateCommand())
                 .addSubcommand(CourseRosterCommand(words))
+                .addSubcommand(CourseExercisesCommand(words))
                 .addSubcommand(CourseRulesCommand())
                 .addSubcommand(CourseExtendCommand())
                 .addSubcommand(CourseCloneCommand())
@@ -134,6 +136,7 @@ private fun programOf(words: CommandWords): CommandLine =
                 .addSubcommand(StaffListCommand())
                 .addSubcommand(StaffAddCommand())
                 .addSubcommand(StaffTokenCommand())
+                .addSubcommand(StaffRenameCommand())
                 .addSubcommand(StaffRevokeCommand())
                 .addSubcommand(ServerHelpCommand(words)),
         ).addSubcommand(regradeCommands(words))

@@ -4,10 +4,12 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Parameters
 import picocli.CommandLine.Spec
 import rasterlab.grader.course.Name
 import rasterlab.grader.rules.CourseClones
+import rasterlab.grader.rules.CourseExercises
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.rules.RuleChange
@@ -156,6 +158,54 @@ internal class CourseRulesCommand : Callable<Int> {
             spec.commandLine().out.println("${field.code}\t${value.orEmpty()}".trim())
         }
     }
+}
+
+@Command(
+    name = "exercises",
+    mixinStandardHelpOptions = true,
+    description = [
+        "Prints the exercises of a course, after choosing those that are given.",
+        "Students get no other; an exam may have any.",
+    ],
+)
+internal class CourseExercisesCommand(
+    private val words: CommandWords,
+) : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
+    @Mixin
+    lateinit var of: CourseOptions
+
+    @Mixin
+    lateinit var catalogue: CatalogueOptions
+
+    @Parameters(
+        index = "1..*",
+        paramLabel = "EXERCISE",
+        descriptionKey = "rules.choice",
+        description = ["Names of the exercises that the course is to have."],
+    )
+    var chosen: List<String> = emptyList()
+
+    @Option(
+        names = ["--all"],
+        descriptionKey = "rules.choice.all",
+        description = ["All that the server has, now and later."],
+    )
+    var all = false
+
+    override fun call(): Int =
+        of.open { database, courses ->
+            val course = courses.find(of.course) ?: throw of.unknown()
+            val known = catalogue.read().all().map { it.id() }
+            val exercises = CourseExercises(database, known, InstantSource.system())
+            chosen.firstOrNull { it !in known }?.let { throw CannotStart(StartFailure.NO_EXERCISE, it) }
+            if (all && chosen.isNotEmpty()) throw ParameterException(spec.commandLine(), words.say("exercises.both"))
+            if (all || chosen.isNotEmpty()) exercises.choose(course, chosen.takeUnless { all }, by = "command")
+            exercises.of(course.id).forEach(spec.commandLine().out::println)
+            0
+        }
 }
 
 @Command(

@@ -75,8 +75,10 @@ import rasterlab.grader.report.Results
 import rasterlab.grader.report.grades
 import rasterlab.grader.report.results
 import rasterlab.grader.rules.CourseClones
+import rasterlab.grader.rules.CourseExercises
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.clones
+import rasterlab.grader.rules.courseExercises
 import rasterlab.grader.rules.exerciseRules
 import rasterlab.grader.similarity.Similar
 import rasterlab.grader.similarity.similarity
@@ -120,6 +122,7 @@ import rasterlab.grader.web.lti.toolPages
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
+import rasterlab.grader.web.rules.courseExercisePages
 import rasterlab.grader.web.trial.trialPages
 import rasterlab.grader.web.view.viewPages
 import rasterlab.grader.worker.Presence
@@ -180,9 +183,10 @@ class Server(
     private val staff = Staff(database, clock)
     private val audit = Audit(database)
     private val rules = CourseRules(database, clock)
+    private val chosen = CourseExercises(database, exercises.all.map { it.id() }, clock)
     private val roster = RosterImport(database, clock)
     private val marks = Marks(database)
-    private val grades = Grades(courses, marks, exercises)
+    private val grades = Grades(courses, marks, exercises, chosen)
     private val clones = CourseClones(database, clock)
     private val regrades = Regrades(database, clock)
     private val records = StudentRecords(database, clock)
@@ -267,12 +271,15 @@ class Server(
             live,
             workers,
             isolation,
-            sittings::closedTo,
+            ::closedTo,
             clock,
         )
 
     /** Whether somebody has no exam now, beside which there is nothing. */
     private fun isFree(who: Identity) = who !is Identity.StudentIdentity || sittings.holding(who) == null
+
+    /** The exercises that somebody does not get now. */
+    private fun closedTo(who: Identity): Set<String> = sittings.closedTo(who) + chosen.closedTo(who)
 
     /** Begins to grade what waits. */
     fun startGrading() {
@@ -296,7 +303,7 @@ class Server(
         install(Authentication) { byToken(accounts) }
         install(RateLimit) { limitEntries(forwarding) }
         protect()
-        guardExams(ExamGuard(accounts, sittings, submissions))
+        guardExams(ExamGuard(accounts, sittings, submissions, chosen::closedTo))
         routing {
             monitoring(database, isolation, meters)
             pages(pageParts, ENTRY)
@@ -305,6 +312,7 @@ class Server(
             rateLimit(ENTRY) { launchPages(lti, accounts, exercises) }
             platformPages(accounts, lti)
             scorePages(accounts, courses, exercises, lti)
+            courseExercisePages(accounts, courses, exercises, chosen, rules)
             examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
             errorPages(accounts, courses, exercises, last)
             commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
@@ -323,8 +331,9 @@ class Server(
                     workers(workers)
                     roster(courses, roster)
                     grades(grades)
-                    exercises(exercises, sittings::closedTo, sheets::starter, rules::of, submissions::standingOf)
-                    exerciseRules(courses, rules, exercises.all.map { it.id() }) { exercises.named(it) }
+                    exercises(exercises, ::closedTo, sheets::starter, rules::of, submissions::standingOf)
+                    exerciseRules(courses, rules, chosen, exercises.all.map { it.id() }) { exercises.named(it) }
+                    courseExercises(courses, chosen)
                     clones(courses, clones)
                     regrades(courses, exercises, regrades, queue, live)
                     studentRecords(records, exercises::ending)

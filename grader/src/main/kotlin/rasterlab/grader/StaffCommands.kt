@@ -19,7 +19,7 @@ import java.util.concurrent.Callable
 @Command(
     name = "staff",
     mixinStandardHelpOptions = true,
-    description = ["Lists instructors and assistants, adds some, makes their tokens and takes access away."],
+    description = ["Lists who teaches, adds and renames people, makes their tokens and takes access away."],
 )
 internal class StaffCommand(
     private val words: CommandWords,
@@ -43,7 +43,12 @@ internal class MemberOptions {
     @Mixin
     lateinit var of: StaffOptions
 
-    @Parameters(paramLabel = "ID", descriptionKey = "staff.id", description = ["The id, as list prints it."])
+    @Parameters(
+        index = "0",
+        paramLabel = "ID",
+        descriptionKey = "staff.id",
+        description = ["The id, as list prints it."],
+    )
     lateinit var id: String
 }
 
@@ -118,6 +123,29 @@ internal class StaffTokenCommand : Callable<Int> {
     override fun call(): Int =
         member.of.open { staff ->
             spec.print(staff.renew(member.id, by = "command", key = null))
+            0
+        }
+}
+
+@Command(
+    name = "rename",
+    mixinStandardHelpOptions = true,
+    description = ["Gives somebody another name; what they did before stands under it, too."],
+)
+internal class StaffRenameCommand : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
+    @Mixin
+    lateinit var member: MemberOptions
+
+    @Parameters(index = "1", paramLabel = "NAME", descriptionKey = "staff.name", description = ["The name."])
+    lateinit var name: String
+
+    override fun call(): Int =
+        member.of.open { staff ->
+            val named = staff.rename(member.id, Name.of(name), by = "command")
+            spec.commandLine().out.println("name\t${named.name}")
             0
         }
 }

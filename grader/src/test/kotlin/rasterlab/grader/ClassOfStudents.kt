@@ -18,7 +18,7 @@ class ClassOfStudents(
 ) {
     private val courses = Courses(database, clock)
     private val intake = Intake(database, IntakeLimits(), clock)
-    private val course = courses.create(Identity.Instructor("i"), Name.of("Graphics"), key = null)
+    private val course = courses.create(by = "i", Name.of("Graphics"), key = null)
 
     fun student(name: String): Identity.StudentIdentity {
         val token = courses.join(course.code, Name.of(name), key = null).token

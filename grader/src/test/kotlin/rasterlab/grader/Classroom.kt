@@ -61,6 +61,7 @@ class Classroom(
         },
     private val settings: ServerSettings = ServerSettings(),
     private val exercise: Exercise = EXERCISE,
+    private val more: List<Exercise> = emptyList(),
     private val kept: (String, String) -> Exercise? = { _, _ -> null },
     private val clock: InstantSource = InstantSource.system(),
     private val nanos: () -> Long = System::nanoTime,
@@ -95,7 +96,7 @@ class Classroom(
 
     private fun serve(use: (Server, Database, String) -> Unit) =
         TestDatabases.open(folder).use { database ->
-            val exercises = Exercises(listOf(exercise), kept)
+            val exercises = Exercises(listOf(exercise) + more, kept)
             val steady = SteadyClock(clock, nanos)
             Server(database, exercises, grading, ISOLATION, settings, clock, steady).use { server ->
                 val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
@@ -142,6 +143,21 @@ class Classroom(
                 Message.of("isolation.plain"),
                 listOf(Message.of("missing.no-bwrap")),
                 false,
+            )
+
+        /** An exercise like [EXERCISE] under another name. */
+        fun another(id: String) =
+            Exercise(
+                id,
+                EXERCISE.topic(),
+                mapOf("en" to "The task $id", "ru" to "Задание $id"),
+                mapOf("en" to "Light it.", "ru" to "Зажгите его."),
+                emptyMap(),
+                EXERCISE.starter(),
+                "r1",
+                Exercise.ExerciseTolerance(true),
+                EXERCISE.points(),
+                EXERCISE.cases(),
             )
 
         fun wrongReport() = report(GradingVerdict.WRONG, ScorePoints(4, 0, 0, 10))
@@ -205,8 +221,9 @@ class Visit(
         source: String = "class Dot {}",
         key: String? = null,
         late: Boolean = false,
+        exercise: String = "draw-dot",
     ): HttpResponse =
-        client.post("/api/v1/exercises/draw-dot/submissions" + if (late) "?late=accept" else "") {
+        client.post("/api/v1/exercises/$exercise/submissions" + if (late) "?late=accept" else "") {
             bearer(token)
             header(HttpHeaders.ContentType, "text/x-java-source")
             key?.let { header("Idempotency-Key", it) }

@@ -8,7 +8,6 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonObject
 import org.slf4j.LoggerFactory
 import rasterlab.grader.course.Courses
-import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.storage.Database
 import java.net.InetAddress
@@ -52,7 +51,7 @@ class Wire(
      */
     fun newStudent(): String {
         val courses = Courses(database, InstantSource.system())
-        val course = courses.create(Identity.Instructor("i"), Name.of("Graphics"), key = null)
+        val course = courses.create(by = "i", Name.of("Graphics"), key = null)
         return courses.join(course.code, Name.of("Ada"), key = null).token
     }
 

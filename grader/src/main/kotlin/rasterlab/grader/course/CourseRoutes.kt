@@ -48,7 +48,7 @@ fun Route.courses(
     post("/courses") {
         val instructor = call.instructor()
         val name = call.receiveJson("name") { it.anyText("name") }
-        val course = courses.create(instructor, Name.of(name), call.idempotencyKey())
+        val course = courses.create(instructor.id, Name.of(name), call.idempotencyKey())
         call.respondJson(CourseAnswer(course.id, course.code), Created)
     }
     get("/courses/{course}/students") {

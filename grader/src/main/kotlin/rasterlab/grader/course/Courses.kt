@@ -44,16 +44,22 @@ class Courses(
     private val database: Database,
     private val clock: InstantSource,
 ) {
+    /**
+     * Makes a course in which nobody is yet.
+     *
+     * @param by who does it, for the audit
+     * @param key what the sender calls this request, so that repeating it makes no other course
+     */
     fun create(
-        by: Identity.Instructor,
+        by: String,
         name: Name,
         key: String?,
     ): Course {
-        val request = Repeatable("courses ${by.id}", key, name.text)
+        val request = Repeatable("courses $by", key, name.text)
         return database.write { handle ->
             request.made(handle)?.let { course(handle, "id", it) }
                 ?: insert(handle, name, clock.instant()).also {
-                    AuditNote(by.id, it.id, "course", it.id, name.text).write(handle, clock.instant())
+                    AuditNote(by, it.id, "course", it.id, name.text).write(handle, clock.instant())
                     request.remember(handle, it.id, clock.instant())
                 }
         }

@@ -36,7 +36,7 @@ enum class StaffRole(
 /**
  * One of the staff.
  *
- * @param name empty for the first instructor, whom nobody named
+ * @param name empty for the first instructor until somebody gives them one
  * @param lastUsedAt to a few minutes; null where nobody came in yet
  * @param revokedAt since when no token lets them in; null where one does
  */
@@ -151,13 +151,36 @@ class Staff(
             find(handle, id)
         }
 
+    /**
+     * Gives somebody another name, under which also stands what they did before.
+     *
+     * @param by who does it, for the audit
+     */
+    fun rename(
+        id: String,
+        name: Name,
+        by: String,
+    ): StaffMember =
+        database.write { handle ->
+            val found = find(handle, id)
+            if (found.name != name.text) {
+                handle
+                    .createUpdate("UPDATE instructors SET name = :name WHERE id = :id")
+                    .bind("name", name.text)
+                    .bind("id", id)
+                    .execute()
+                note(handle, by, "staff-name", id, "${found.name} → ${name.text}".trim())
+            }
+            find(handle, id)
+        }
+
     private fun note(
         handle: Handle,
         by: String,
         action: String,
         id: String,
-        role: String,
-    ) = AuditNote(by, course = null, action, id, role).write(handle, clock.instant())
+        detail: String,
+    ) = AuditNote(by, course = null, action, id, detail).write(handle, clock.instant())
 
     private fun instructors(handle: Handle): Int =
         handle

@@ -4,6 +4,7 @@ import io.ktor.http.HttpStatusCode.Companion.Created
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.delete
 import io.ktor.server.routing.get
+import io.ktor.server.routing.patch
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
@@ -66,6 +67,11 @@ fun Route.staff(
         val instructor = call.instructor()
         val made = staff.renew(call.parameters.getOrFail("staff"), instructor.id, call.idempotencyKey())
         call.respondJson(StaffTokenAnswer(made.id, made.token), Created)
+    }
+    patch("/staff/{staff}") {
+        val instructor = call.instructor()
+        val name = Name.of(call.receiveJson("name") { it.anyText("name") })
+        call.respondJson(answer(staff.rename(call.parameters.getOrFail("staff"), name, instructor.id)))
     }
     delete("/staff/{staff}") {
         val instructor = call.instructor()

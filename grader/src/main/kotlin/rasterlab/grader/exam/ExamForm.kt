@@ -3,7 +3,9 @@ package rasterlab.grader.exam
 import rasterlab.grader.course.Course
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.rules.RuleChange
+import rasterlab.grader.rules.named
 import rasterlab.grader.storage.Secrets
+import rasterlab.grader.storage.text
 import java.time.DateTimeException
 import java.time.ZoneId
 
@@ -31,8 +33,17 @@ class ExamForm(
     private val told: Map<ExamField, String>,
     private val exercises: List<String>,
 ) {
-    /** @throws Rejection.BadExam that names the field, what it is, and what is allowed */
-    fun exam(course: Course): Exam {
+    /**
+     * A new exam of a course.
+     *
+     * @throws Rejection.BadExam that names the field, what it is, and what is allowed
+     */
+    fun exam(course: Course): Exam = exam(Secrets.newId(), course.id)
+
+    private fun exam(
+        id: String,
+        course: String,
+    ): Exam {
         val zone = zone()
         val opens = RuleChange.moment(ExamField.OPENS.code, text(ExamField.OPENS), zone)
         val closes = RuleChange.moment(ExamField.CLOSES.code, text(ExamField.CLOSES), zone)
@@ -43,8 +54,8 @@ class ExamForm(
             throw Rejection.BadExam("name", name.length, NAME.last)
         }
         return Exam(
-            Secrets.newId(),
-            course.id,
+            id,
+            course,
             name,
             exercises.distinct(),
             opens,
@@ -88,6 +99,47 @@ class ExamForm(
         const val REFUSE = "refuse"
         const val END = "end"
         private val NAME = 1..100
+
+        /** An exam in the words that a form has for it. */
+        fun told(exam: Exam): Map<ExamField, String> =
+            mapOf(
+                ExamField.NAME to exam.name,
+                ExamField.OPENS to exam.opens.text(),
+                ExamField.CLOSES to exam.closes.text(),
+                ExamField.ZONE to exam.zone.named(),
+                ExamField.MINUTES to "${exam.minutes}",
+                ExamField.STARTS to if (exam.fixed) FIXED else FIRST,
+                ExamField.GRACE to "${exam.grace}",
+                ExamField.ADDRESSES to exam.addresses.text,
+                ExamField.SECOND to if (exam.takesOver) END else REFUSE,
+            )
+
+        /**
+         * An exam with something else in the place of what it was.
+         *
+         * @param told what is to be changed; what is not told stays
+         * @param exercises their ids; null for those that it has
+         * @param begun whether a student has begun it: then its exercises and its beginning stay
+         * @throws Rejection.BadExam that names the field, what it is, and what is allowed
+         */
+        fun changed(
+            before: Exam,
+            told: Map<ExamField, String>,
+            exercises: List<String>?,
+            begun: Boolean,
+        ): Exam {
+            val after = ExamForm(told(before) + told, exercises ?: before.exercises).exam(before.id, before.course)
+            if (begun) {
+                val same =
+                    mapOf(
+                        "exercises" to (after.exercises == before.exercises),
+                        ExamField.OPENS.code to (after.opens == before.opens),
+                        ExamField.STARTS.code to (after.fixed == before.fixed),
+                    )
+                same.entries.firstOrNull { !it.value }?.let { throw Rejection.BadExam("begun.fixed", it.key) }
+            }
+            return after
+        }
 
         /** The number of a field. */
         fun number(

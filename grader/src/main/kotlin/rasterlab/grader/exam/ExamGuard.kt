@@ -19,11 +19,17 @@ import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.submission.Submissions
 
-/** Lets a student who has an exam reach nothing but it, and others nothing that is kept for one. */
+/**
+ * Lets a student who has an exam reach nothing but it, and others nothing that is kept for one, nor an exercise that their
+ * course does not have.
+ *
+ * @param missing the exercises that somebody's course does not have
+ */
 class ExamGuard(
     private val accounts: Accounts,
     private val sittings: Sittings,
     private val submissions: Submissions,
+    private val missing: (Identity) -> Set<String>,
 ) {
     /** @return whether the call goes on; otherwise it is answered */
     suspend fun pass(call: ApplicationCall): Boolean {
@@ -80,8 +86,8 @@ class ExamGuard(
         parts: List<String>,
     ) {
         val kept = sittings.closedTo(who)
-        if (kept.isEmpty()) return
-        parts.firstOrNull { it in kept }?.let { throw Rejection.UnknownExercise(it) }
+        val closed = kept + missing(who)
+        parts.firstOrNull(closed::contains)?.let { throw Rejection.UnknownExercise(it) }
         val submission = submissionIn(parts) ?: return
         if (submissions.find(submission)?.exercise in kept) throw Rejection.UnknownSubmission(submission)
     }

@@ -105,6 +105,14 @@ fun Route.exams(
         val exam = exams.find(call.examId())
         call.respondJson(WatchedExamAnswer(answer(exam), exams.seats(exam).map { answer(it, sittings.now()) }))
     }
+    patch("/exams/{exam}") {
+        val instructor = call.instructor()
+        val (told, ids) =
+            call.receiveJson(*CODES) { body ->
+                told(body) to if (body.has(EXERCISES)) body.texts(EXERCISES).onEach(exercises::named) else null
+            }
+        call.respondJson(answer(exams.change(call.examId(), told, ids, instructor.id)))
+    }
     delete("/exams/{exam}") {
         val instructor = call.instructor()
         call.respondJson(answer(exams.drop(call.examId(), instructor.id)))
@@ -168,10 +176,10 @@ private fun answer(exam: Exam) =
         exam.closes.text(),
         exam.zone.named(),
         exam.minutes,
-        if (exam.fixed) ExamForm.FIXED else ExamForm.FIRST,
+        ExamForm.told(exam).getValue(ExamField.STARTS),
         exam.grace,
         exam.addresses.text,
-        if (exam.takesOver) ExamForm.END else ExamForm.REFUSE,
+        ExamForm.told(exam).getValue(ExamField.SECOND),
     )
 
 private fun answer(

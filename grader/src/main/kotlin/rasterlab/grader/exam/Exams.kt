@@ -41,39 +41,99 @@ class Exams(
     ): Exam {
         val exam = form.exam(course)
         database.write { handle ->
-            val taken = exam.exercises.firstOrNull { it in closed(handle, course.id, clock.instant()) }
-            if (taken != null) throw Rejection.BadExam("taken", taken)
-            handle
-                .createUpdate(
-                    """INSERT INTO exams (id, course_id, name, opens_at, closes_at, zone, minutes, is_fixed, grace,
-                           addresses, takes_over)
-                       VALUES (:id, :course, :name, :opens, :closes, :zone, :minutes, :fixed, :grace,
-                           :addresses, :over)""",
-                ).bind("id", exam.id)
-                .bind("course", exam.course)
-                .bind("name", exam.name)
-                .bind("opens", exam.opens.text())
-                .bind("closes", exam.closes.text())
-                .bind("zone", exam.zone.named())
-                .bind("minutes", exam.minutes)
-                .bind("fixed", if (exam.fixed) 1 else 0)
-                .bind("grace", exam.grace)
-                .bind("addresses", exam.addresses.text)
-                .bind("over", if (exam.takesOver) 1 else 0)
-                .execute()
-            exam.exercises.forEachIndexed { position, exercise ->
-                handle
-                    .createUpdate(
-                        """INSERT INTO exam_exercises (exam_id, exercise, position)
-                           VALUES (:exam, :exercise, :position)""",
-                    ).bind("exam", exam.id)
-                    .bind("exercise", exercise)
-                    .bind("position", position)
-                    .execute()
-            }
+            store(handle, exam, taken = closed(handle, course.id, clock.instant()))
             audit(handle, exam, by, "exam", "${exam.name}: ${exam.exercises.joinToString()}")
         }
         return exam
+    }
+
+    /**
+     * Changes an exam, also one that runs: whoever works on it has the new end at once. Who has ended does not go on.
+     *
+     * @param told what is to be changed; what is not told stays
+     * @param exercises their ids; null for those that it has
+     * @param by who does it, for the audit
+     * @throws Rejection.BadExam where that cannot be, or not any more
+     */
+    fun change(
+        id: String,
+        told: Map<ExamField, String>,
+        exercises: List<String>?,
+        by: String,
+    ): Exam =
+        database.write { handle ->
+            val before = find(handle, id) ?: throw Rejection.UnknownExam(id)
+            val after = ExamForm.changed(before, told, exercises, begun(handle, id) > 0)
+            if (after != before) {
+                val others = ofCourse(handle, before.course).filter { it.id != id }
+                store(handle, after, taken = closed(handle, others, clock.instant()))
+                audit(handle, after, by, "exam-change", changes(before, after))
+            }
+            after
+        }
+
+    /**
+     * Ends an exam for everybody who has no more minutes than others; their last texts are handed in.
+     *
+     * @param by who does it, for the audit
+     * @throws Rejection.BadExam where it has not begun
+     */
+    fun end(
+        id: String,
+        by: String,
+    ): Exam = change(id, mapOf(ExamField.CLOSES to clock.instant().text()), exercises = null, by)
+
+    /** Stores an exam in the place of what it was. */
+    private fun store(
+        handle: Handle,
+        exam: Exam,
+        taken: Set<String>,
+    ) {
+        exam.exercises.firstOrNull(taken::contains)?.let { throw Rejection.BadExam("taken", it) }
+        handle
+            .createUpdate(
+                """INSERT INTO exams (id, course_id, name, opens_at, closes_at, zone, minutes, is_fixed, grace,
+                       addresses, takes_over)
+                   VALUES (:id, :course, :name, :opens, :closes, :zone, :minutes, :fixed, :grace,
+                       :addresses, :over)
+                   ON CONFLICT (id) DO UPDATE SET name = excluded.name, opens_at = excluded.opens_at,
+                       closes_at = excluded.closes_at, zone = excluded.zone, minutes = excluded.minutes,
+                       is_fixed = excluded.is_fixed, grace = excluded.grace, addresses = excluded.addresses,
+                       takes_over = excluded.takes_over""",
+            ).bind("id", exam.id)
+            .bind("course", exam.course)
+            .bind("name", exam.name)
+            .bind("opens", exam.opens.text())
+            .bind("closes", exam.closes.text())
+            .bind("zone", exam.zone.named())
+            .bind("minutes", exam.minutes)
+            .bind("fixed", if (exam.fixed) 1 else 0)
+            .bind("grace", exam.grace)
+            .bind("addresses", exam.addresses.text)
+            .bind("over", if (exam.takesOver) 1 else 0)
+            .execute()
+        handle.createUpdate("DELETE FROM exam_exercises WHERE exam_id = :exam").bind("exam", exam.id).execute()
+        exam.exercises.forEachIndexed { position, exercise ->
+            handle
+                .createUpdate(
+                    """INSERT INTO exam_exercises (exam_id, exercise, position)
+                       VALUES (:exam, :exercise, :position)""",
+                ).bind("exam", exam.id)
+                .bind("exercise", exercise)
+                .bind("position", position)
+                .execute()
+        }
+    }
+
+    /** What changed, each with what it was and what it is. */
+    private fun changes(
+        before: Exam,
+        after: Exam,
+    ): String {
+        val (old, new) = listOf(before, after).map(ExamForm::told)
+        val fields = old.keys.filter { old[it] != new[it] }.map { "${it.code}: ${old[it]} → ${new[it]}" }
+        val exercises = "exercises: ${after.exercises.joinToString()}".takeIf { before.exercises != after.exercises }
+        return (fields + listOfNotNull(exercises)).joinToString()
     }
 
     fun ofCourse(course: String): List<Exam> = database.read { ofCourse(it, course) }
@@ -151,13 +211,7 @@ class Exams(
     ): Exam =
         database.write { handle ->
             val exam = find(handle, id) ?: throw Rejection.UnknownExam(id)
-            val begun =
-                handle
-                    .createQuery(
-                        "SELECT count(*) FROM exam_sittings WHERE exam_id = :exam AND started_at IS NOT NULL",
-                    ).bind("exam", id)
-                    .mapTo(Int::class.javaObjectType)
-                    .one()
+            val begun = begun(handle, id)
             if (begun > 0) throw Rejection.BadExam("begun", begun)
             for (table in listOf("exam_events", "exam_drafts", "exam_sittings", "exam_exercises")) {
                 handle.createUpdate("DELETE FROM $table WHERE exam_id = :exam").bind("exam", id).execute()
@@ -166,6 +220,17 @@ class Exams(
             audit(handle, exam, by, "exam-drop", exam.name)
             exam
         }
+
+    /** How many students have begun an exam. */
+    private fun begun(
+        handle: Handle,
+        exam: String,
+    ): Int =
+        handle
+            .createQuery("SELECT count(*) FROM exam_sittings WHERE exam_id = :exam AND started_at IS NOT NULL")
+            .bind("exam", exam)
+            .mapTo(Int::class.javaObjectType)
+            .one()
 
     private fun note(
         handle: Handle,
@@ -261,8 +326,14 @@ class Exams(
             handle: Handle,
             course: String,
             now: Instant,
+        ): Set<String> = closed(handle, ofCourse(handle, course), now)
+
+        private fun closed(
+            handle: Handle,
+            exams: List<Exam>,
+            now: Instant,
         ): Set<String> =
-            ofCourse(handle, course)
+            exams
                 .filter { now <= it.over(mostExtra(handle, it)) }
                 .flatMap { it.exercises }
                 .toSet()

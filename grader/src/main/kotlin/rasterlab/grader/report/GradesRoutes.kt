@@ -13,6 +13,7 @@ import rasterlab.grader.course.instructor
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.rules.CourseExercises
 import rasterlab.grader.submission.Marks
 
 /** The marks of a course, from where they are stored to the file that leaves the server. */
@@ -20,6 +21,7 @@ class Grades(
     private val courses: Courses,
     private val marks: Marks,
     private val exercises: Exercises,
+    private val chosen: CourseExercises,
 ) {
     /** @throws Rejection.UnknownCourse where there is no course of that id or code */
     fun of(
@@ -30,11 +32,12 @@ class Grades(
         val id = courses.find(course)?.id ?: throw Rejection.UnknownCourse(course)
         val fields = courses.rosterFields(id)
         val points = marks.of(id)
+        val graded = chosen.graded(id).toSet()
         val lines =
             courses.students(id).orEmpty().map {
-                GradesLine(it, fields[it.id].orEmpty(), points[it.id].orEmpty())
+                GradesLine(it, fields[it.id].orEmpty(), points[it.id].orEmpty().filterKeys(graded::contains))
             }
-        return GradesFile(exercises.all, language).write(reader, lines)
+        return GradesFile(exercises.all.filter { it.id() in graded }, language).write(reader, lines)
     }
 }
 

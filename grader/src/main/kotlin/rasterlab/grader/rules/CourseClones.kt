@@ -40,6 +40,7 @@ class CourseClones(
                 for ((exercise, rules) in CourseRules.ofCourse(handle, from)) {
                     CourseRules.store(handle, made, exercise, rules.movedBy(shift))
                 }
+                CourseExercises.copy(handle, from, made)
                 AuditNote(by, made.id, "clone", from.id, "$shift days").write(handle, clock.instant())
                 request.remember(handle, made.id, clock.instant())
                 made

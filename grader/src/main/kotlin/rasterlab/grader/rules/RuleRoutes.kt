@@ -27,6 +27,7 @@ private data class RulesAnswer(
     val attempts: Int?,
     val policy: String,
     val latePenalty: Int,
+    val inCourse: Boolean,
 )
 
 @Serializable
@@ -60,6 +61,7 @@ private data class AllRulesAnswer(
 fun Route.exerciseRules(
     courses: Courses,
     rules: CourseRules,
+    chosen: CourseExercises,
     ids: List<String>,
     known: (String) -> Unit,
 ) {
@@ -67,9 +69,10 @@ fun Route.exerciseRules(
         call.staff()
         val course = call.course(courses)
         val set = rules.ofCourse(course)
+        val had = chosen.of(course.id).toSet()
         call.respondJson(
             AllRulesAnswer(
-                ids.map { answer(it, set[it] ?: ExerciseRules()) },
+                ids.map { answer(it, set[it] ?: ExerciseRules(), it in had) },
                 rules
                     .extensions(
                         course,
@@ -81,8 +84,9 @@ fun Route.exerciseRules(
         val instructor = call.instructor()
         val exercise = call.parameters.getOrFail("id").also(known)
         val change = call.receiveJson(*CODES) { RuleChange(told(it)) }
-        val after = rules.change(call.course(courses), exercise, change, instructor.id)
-        call.respondJson(answer(exercise, after))
+        val course = call.course(courses)
+        val after = rules.change(course, exercise, change, instructor.id)
+        call.respondJson(answer(exercise, after, exercise in chosen.of(course.id)))
     }
     put("/courses/{course}/exercises/{id}/extensions/{student}") {
         val instructor = call.instructor()
@@ -115,6 +119,7 @@ internal fun ApplicationCall.course(courses: Courses): Course {
 private fun answer(
     exercise: String,
     rules: ExerciseRules,
+    inCourse: Boolean,
 ) = RulesAnswer(
     exercise,
     rules.opens?.text(),
@@ -124,4 +129,5 @@ private fun answer(
     rules.attempts,
     rules.policy.code,
     rules.latePenalty,
+    inCourse,
 )

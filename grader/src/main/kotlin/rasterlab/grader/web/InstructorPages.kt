@@ -75,7 +75,7 @@ fun Route.instructorPages(
     post("/instructor/courses") {
         call.requireOwnForm()
         val instructor = call.instructorHere(accounts)
-        courses.create(instructor, Name.of(call.receiveForm()["name"].orEmpty()), key = null)
+        courses.create(instructor.id, Name.of(call.receiveForm()["name"].orEmpty()), key = null)
         call.respondRedirect("/instructor")
     }
     post("/instructor/students/{student}/token") {

@@ -66,7 +66,7 @@ fun Route.pages(
  * The services that the pages ask.
  *
  * @param free whether somebody has no exam now
- * @param closed the exercises that somebody does not get now, since they are kept for exams
+ * @param closed the exercises that somebody does not get now
  */
 class PageParts(
     val accounts: Accounts,

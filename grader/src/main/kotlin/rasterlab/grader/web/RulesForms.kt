@@ -27,7 +27,7 @@ import java.time.Instant
 import java.time.format.DateTimeFormatter
 
 /** Writes a time as a browser's field for a date and a time has it. */
-private val FIELD_TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss")
+internal val FIELD_TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss")
 
 /** The rules of an exercise to fill in, with what was typed before where that was refused. */
 internal fun FlowContent.rulesForm(

@@ -9,14 +9,7 @@ import io.ktor.server.routing.get
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.html.a
-import kotlinx.html.div
 import kotlinx.html.p
-import kotlinx.html.table
-import kotlinx.html.tbody
-import kotlinx.html.td
-import kotlinx.html.th
-import kotlinx.html.thead
-import kotlinx.html.tr
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Course
@@ -29,18 +22,13 @@ import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.rules.RuleChange
 import rasterlab.grader.rules.RuleField
 
-/** Shows staff what a course rules for its exercises, and takes changes from instructors. */
+/** Shows instructors what a course rules for an exercise, and takes their changes. */
 fun Route.rulesPages(
     accounts: Accounts,
     courses: Courses,
     exercises: Exercises,
     rules: CourseRules,
 ) {
-    get("/instructor/courses/{course}/exercises") {
-        val who = call.staffHere(accounts)
-        val course = call.courseOf(courses)
-        call.respondRules(who, course, exercises, rules.ofCourse(course))
-    }
     get("/instructor/courses/{course}/exercises/{id}") {
         val who = call.instructorHere(accounts)
         val desk = RulesDesk(call.courseOf(courses), call.exerciseOf(exercises), courses, rules)
@@ -78,58 +66,6 @@ internal fun ApplicationCall.courseOf(courses: Courses): Course {
 /** The rules that a form tells. */
 private fun Parameters.rules(): Map<RuleField, String> =
     RuleField.entries.mapNotNull { field -> get(field.code)?.let { field to it } }.toMap()
-
-private suspend fun ApplicationCall.respondRules(
-    who: Identity.StaffIdentity,
-    course: Course,
-    exercises: Exercises,
-    set: Map<String, ExerciseRules>,
-) {
-    val texts = texts()
-    respondPage(texts, who, texts.say("rules.title", course.name)) {
-        p { a("/instructor") { +texts.say("token.back") } }
-        div("scroll") {
-            table {
-                thead {
-                    tr {
-                        th { +texts.say("rules.exercise") }
-                        (RuleField.entries - RuleField.ZONE).forEach { th { +texts.say("rules.column.${it.code}") } }
-                        th { +texts.say("rules.column.class") }
-                    }
-                }
-                tbody {
-                    exercises.all.forEach { exercise ->
-                        val rules = set[exercise.id()] ?: ExerciseRules()
-                        tr {
-                            td {
-                                val title = exercise.title(texts.language)
-                                if (who is Identity.Instructor) a(rulesAddress(course, exercise)) { +title } else +title
-                            }
-                            td { +rules.opens?.forPeople(rules.zone).orEmpty() }
-                            td { +rules.due?.forPeople(rules.zone).orEmpty() }
-                            td { +rules.lateDays?.toString().orEmpty() }
-                            td { +rules.attempts?.toString().orEmpty() }
-                            td { +texts.say("rules.policy.${rules.policy.code}") }
-                            td {
-                                +rules.latePenalty
-                                    .takeIf { it > 0 }
-                                    ?.let { "$it\u00a0%" }
-                                    .orEmpty()
-                            }
-                            td {
-                                a("${rulesAddress(course, exercise)}/errors") {
-                                    attributes["aria-label"] =
-                                        "${texts.say("errors.heading")}: ${exercise.title(texts.language)}"
-                                    +texts.say("errors.link")
-                                }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
 
 internal fun rulesAddress(
     course: Course,

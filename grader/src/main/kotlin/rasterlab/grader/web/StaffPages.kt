@@ -14,6 +14,7 @@ import kotlinx.html.InputType
 import kotlinx.html.ThScope
 import kotlinx.html.a
 import kotlinx.html.button
+import kotlinx.html.details
 import kotlinx.html.div
 import kotlinx.html.form
 import kotlinx.html.h2
@@ -24,6 +25,7 @@ import kotlinx.html.p
 import kotlinx.html.section
 import kotlinx.html.select
 import kotlinx.html.span
+import kotlinx.html.summary
 import kotlinx.html.table
 import kotlinx.html.tbody
 import kotlinx.html.td
@@ -39,7 +41,7 @@ import rasterlab.grader.course.StaffRole
 
 private const val ADDRESS = "/instructor/staff"
 
-/** Shows an instructor who teaches, and lets them add somebody, make a new token, and take access away. */
+/** Shows an instructor who teaches, and lets them add or rename somebody, make a new token, and take access away. */
 fun Route.staffPages(
     accounts: Accounts,
     staff: Staff,
@@ -61,6 +63,14 @@ fun Route.staffPages(
         val who = call.instructorHere(accounts)
         val made = staff.renew(call.parameters.getOrFail("staff"), who.id, key = null)
         call.respondToken(who, call.texts().nameOf(staff.find(made.id)), made.token, ADDRESS, "staff.back")
+    }
+    post("$ADDRESS/{staff}/name") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        call.showStaffAgain(who, staff, typed = null)
+        val name = Name.of(call.receiveForm()["name"].orEmpty())
+        staff.rename(call.parameters.getOrFail("staff"), name, who.id)
+        call.respondRedirect(ADDRESS)
     }
     post("$ADDRESS/{staff}/revoke") {
         call.requireOwnForm()
@@ -119,6 +129,7 @@ private fun FlowContent.memberTable(
                     td {
                         val name = texts.nameOf(one)
                         +if (one.id == who.id) texts.say("staff.you", name) else name
+                        naming(texts, one)
                     }
                     td { +texts.say("staff.role.${one.role.code}") }
                     td { moment(one.madeAt) }
@@ -126,6 +137,27 @@ private fun FlowContent.memberTable(
                     td { access(texts, one) }
                 }
             }
+        }
+    }
+}
+
+private fun FlowContent.naming(
+    texts: PageTexts,
+    one: StaffMember,
+) = details {
+    summary {
+        attributes["aria-label"] = "${texts.say("staff.rename")}: ${texts.nameOf(one)}"
+        +texts.say("staff.rename")
+    }
+    form("$ADDRESS/${one.id}/name", method = FormMethod.post) {
+        div("ways") {
+            input(InputType.text, name = "name") {
+                value = one.name
+                required = true
+                attributes["autocomplete"] = "off"
+                attributes["aria-label"] = "${texts.say("staff.name")}: ${texts.nameOf(one)}"
+            }
+            button(classes = "plain") { +texts.say("staff.rename.do") }
         }
     }
 }

@@ -20,10 +20,9 @@ class ShownNamesTest {
     fun noTwoAreShownUnderOneName() =
         TestDatabases.open(folder).use { database ->
             val courses = Courses(database, InstantSource.system())
-            val instructor = Identity.Instructor("i")
             val names = listOf("Ada", "Ada", "Ada (2)", "Grace")
             for (title in listOf("Graphics", "Geometry")) {
-                val course = courses.create(instructor, Name.of(title), key = null)
+                val course = courses.create(by = "i", Name.of(title), key = null)
                 names.forEach { courses.join(course.code, Name.of(it), key = null) }
                 assertEquals(
                     listOf("1 Ada", "2 Ada (2)", "3 Ada (2) (3)", "4 Grace"),

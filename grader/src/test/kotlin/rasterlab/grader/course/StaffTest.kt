@@ -66,6 +66,31 @@ class StaffTest {
         }
 
     @Test
+    @DisplayName(
+        "the first instructor stays without a name, a note of before has none, or a name is taken that is none",
+    )
+    fun aNameIsGiven() =
+        Classroom(folder).open(grades = false) {
+            newCourse()
+            val first = listed()[0].field("staff")
+            assertEquals("Ada Byron", rename(first, "Ada Byron").json().text("name"))
+            assertEquals(
+                "Ada Byron",
+                look(instructor, "/api/v1/audit")
+                    .json()
+                    .list("entries")
+                    .last()
+                    .field("byName"),
+            )
+            rename(first, " ").assertProblem(422, "bad-name")
+            rename("none", "Ada").assertProblem(404, "unknown-staff")
+            assertEquals(302, sendForm("/instructor/staff/$first/name", "name=Ada+King").status.value)
+            assertEquals("name\tAda", printedBy(folder, "staff", "rename", first, "Ada").trim())
+            assertEquals("Ada", listed()[0].field("name"))
+            assertEquals("3", one("SELECT count(*) FROM audit WHERE action = 'staff-name'"))
+        }
+
+    @Test
     @DisplayName("the last instructor is shut out, also where only assistants or others without access are left")
     fun theLastInstructorStays() =
         Classroom(folder).open(grades = false) {
@@ -236,6 +261,14 @@ class StaffTest {
             key?.let { header("Idempotency-Key", it) }
             json("""{"name":"$name","role":"$role"}""")
         }
+
+    private suspend fun Visit.rename(
+        id: String,
+        name: String,
+    ) = client.patch("/api/v1/staff/$id") {
+        bearer(instructor)
+        json("""{"name":"$name"}""")
+    }
 
     private suspend fun Visit.listed(): JsonArray =
         Json.parseToJsonElement(look(instructor, "/api/v1/staff").bodyAsText()).jsonArray

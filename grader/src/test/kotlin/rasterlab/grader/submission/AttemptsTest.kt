@@ -223,7 +223,7 @@ open class AttemptsTest {
 
     private fun submission(): String {
         val courses = Courses(database, clock)
-        val course = courses.create(Identity.Instructor("i"), Name.of("Graphics"), key = null)
+        val course = courses.create(by = "i", Name.of("Graphics"), key = null)
         val token = courses.join(course.code, Name.of("Ada"), key = null).token
         val student = Accounts(database, clock).holder(token) as Identity.StudentIdentity
         return Intake(

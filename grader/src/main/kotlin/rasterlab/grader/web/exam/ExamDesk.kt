@@ -38,6 +38,7 @@ import rasterlab.grader.exam.Exams
 import rasterlab.grader.exam.Sittings
 import rasterlab.grader.exam.respondProtocol
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.web.FIELD_TIME
 import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
@@ -52,7 +53,7 @@ import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.staffHere
 import rasterlab.grader.web.texts
 
-/** Serves what staff do with exams: make one, watch it, give minutes, let another session in, take the protocol away. */
+/** Serves what staff do with exams: make one, change it, watch it, give minutes, let another session in, take the protocol away. */
 internal fun Route.examDesk(
     accounts: Accounts,
     courses: Courses,
@@ -76,9 +77,8 @@ internal fun Route.examDesk(
                 call.respondAll(who, course, exercises, exams, typed, refused)
             },
         )
-        val told = ExamField.entries.associateWith { typed[it.code].orEmpty() }
         val ids = typed.getAll("exercise").orEmpty().onEach { exercises.named(it) }
-        val made = exams.create(course, ExamForm(told, ids), who.id)
+        val made = exams.create(course, ExamForm(typed.told(), ids), who.id)
         call.respondRedirect("/instructor/exams/${made.id}")
     }
     get("/instructor/exams/{exam}") {
@@ -90,6 +90,31 @@ internal fun Route.examDesk(
     get("/instructor/exams/{exam}/protocol.csv") {
         call.staffHere(accounts)
         call.respondProtocol(exams)
+    }
+    get("/instructor/exams/{exam}/change") {
+        val who = call.instructorHere(accounts)
+        call.respondChange(who, exams.find(call.parameters.getOrFail("exam")), exercises, typed = null, refused = null)
+    }
+    post("/instructor/exams/{exam}/change") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val exam = exams.find(call.parameters.getOrFail("exam"))
+        val typed = call.receiveForm()
+        call.attributes.put(
+            FORM_AGAIN,
+            FormAgain { status, code, added ->
+                call.respondChange(who, exam, exercises, typed, Refused(status, code, added(call.texts().language)))
+            },
+        )
+        val ids = typed.getAll("exercise").orEmpty().onEach { exercises.named(it) }
+        exams.change(exam.id, typed.told(), ids, who.id)
+        call.respondRedirect("/instructor/exams/${exam.id}")
+    }
+    post("/instructor/exams/{exam}/end") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val ended = exams.end(call.parameters.getOrFail("exam"), who.id)
+        call.respondRedirect("/instructor/exams/${ended.id}")
     }
     post("/instructor/exams/{exam}/drop") {
         call.requireOwnForm()
@@ -112,6 +137,38 @@ internal fun Route.examDesk(
         call.respondRedirect("/instructor/exams/${exam.id}")
     }
 }
+
+private fun Parameters.told(): Map<ExamField, String> = ExamField.entries.associateWith { get(it.code).orEmpty() }
+
+private suspend fun ApplicationCall.respondChange(
+    who: Identity.Instructor,
+    exam: Exam,
+    exercises: Exercises,
+    typed: Parameters?,
+    refused: Refused?,
+) {
+    val texts = texts()
+    val heading = texts.say("exams.change.title", exam.name)
+    respondPage(texts, who, heading, refused?.status ?: HttpStatusCode.OK) {
+        refused?.let { problem(texts, it.status, it.code, it.details) }
+        p("ways") { a("/instructor/exams/${exam.id}") { +texts.say("exams.change.back") } }
+        p { +texts.say("exams.change.about") }
+        section("card exam") {
+            val held = ExamForm.told(exam) + listOf(ExamField.OPENS, ExamField.CLOSES).zip(exam.times()).toMap()
+            examForm(
+                texts,
+                "/instructor/exams/${exam.id}/change",
+                exercises,
+                { typed?.get(it.code) ?: held.getValue(it) },
+                typed?.let { it.getAll("exercise").orEmpty() } ?: exam.exercises,
+                "exams.change.save",
+            )
+        }
+    }
+}
+
+/** Its first and last moment as a browser's field for a date and a time has them. */
+private fun Exam.times(): List<String> = listOf(opens, closes).map { FIELD_TIME.format(it.atZone(zone)) }
 
 private suspend fun ApplicationCall.respondAll(
     who: Identity.StaffIdentity,
@@ -153,44 +210,69 @@ private fun FlowContent.creation(
     typed: Parameters?,
 ) = section("card exam") {
     h2 { +texts.say("exams.new") }
-    form("/instructor/courses/${course.id}/exams", method = FormMethod.post) {
-        text(texts, ExamField.NAME, typed, "")
-        text(texts, ExamField.OPENS, typed, "", InputType.dateTimeLocal)
-        text(texts, ExamField.CLOSES, typed, "", InputType.dateTimeLocal)
-        text(texts, ExamField.ZONE, typed, "UTC")
-        text(texts, ExamField.MINUTES, typed, "90", InputType.number)
-        choice(texts, ExamField.STARTS, typed, ExamForm.FIRST, ExamForm.FIXED)
-        text(texts, ExamField.GRACE, typed, "30", InputType.number)
-        text(texts, ExamField.ADDRESSES, typed, "", asked = false)
-        choice(texts, ExamField.SECOND, typed, ExamForm.REFUSE, ExamForm.END)
-        fieldSet {
-            legend { +texts.say("exams.exercises") }
-            exercises.all.forEach { exercise ->
-                label("consent") {
-                    input(InputType.checkBox, name = "exercise") {
-                        value = exercise.id()
-                        checked = exercise.id() in typed?.getAll("exercise").orEmpty()
-                    }
-                    span { +exercise.title(texts.language) }
+    examForm(
+        texts,
+        "/instructor/courses/${course.id}/exams",
+        exercises,
+        { typed?.get(it.code) ?: FIRST_VALUES[it].orEmpty() },
+        typed?.getAll("exercise").orEmpty(),
+        "exams.create",
+    )
+}
+
+private val FIRST_VALUES = mapOf(ExamField.ZONE to "UTC", ExamField.MINUTES to "90", ExamField.GRACE to "30")
+
+/**
+ * The rules of an exam to fill in.
+ *
+ * @param value what a field holds at first
+ * @param chosen ids of the exercises that are checked at first
+ * @param done key of the text on the button
+ */
+private fun FlowContent.examForm(
+    texts: PageTexts,
+    address: String,
+    exercises: Exercises,
+    value: (ExamField) -> String,
+    chosen: List<String>,
+    done: String,
+) = form(address, method = FormMethod.post) {
+    text(texts, ExamField.NAME, value)
+    text(texts, ExamField.OPENS, value, InputType.dateTimeLocal)
+    text(texts, ExamField.CLOSES, value, InputType.dateTimeLocal)
+    text(texts, ExamField.ZONE, value)
+    text(texts, ExamField.MINUTES, value, InputType.number)
+    choice(texts, ExamField.STARTS, value, ExamForm.FIRST, ExamForm.FIXED)
+    text(texts, ExamField.GRACE, value, InputType.number)
+    text(texts, ExamField.ADDRESSES, value, asked = false)
+    choice(texts, ExamField.SECOND, value, ExamForm.REFUSE, ExamForm.END)
+    fieldSet {
+        legend { +texts.say("exams.exercises") }
+        exercises.all.forEach { exercise ->
+            label("consent") {
+                input(InputType.checkBox, name = "exercise") {
+                    this.value = exercise.id()
+                    checked = exercise.id() in chosen
                 }
+                span { +exercise.title(texts.language) }
             }
         }
-        button { +texts.say("exams.create") }
     }
+    button { +texts.say(done) }
 }
 
 private fun FORM.text(
     texts: PageTexts,
     field: ExamField,
-    typed: Parameters?,
-    first: String,
+    value: (ExamField) -> String,
     type: InputType = InputType.text,
     asked: Boolean = true,
 ) = label {
     span { +texts.say("exams.${field.code}") }
     input(type, name = field.code) {
-        value = typed?.get(field.code) ?: first
+        this.value = value(field)
         required = asked
+        if (type == InputType.dateTimeLocal) step = "1"
         attributes["autocomplete"] = "off"
     }
 }
@@ -198,7 +280,7 @@ private fun FORM.text(
 private fun FORM.choice(
     texts: PageTexts,
     field: ExamField,
-    typed: Parameters?,
+    value: (ExamField) -> String,
     vararg codes: String,
 ) = label {
     span { +texts.say("exams.${field.code}") }
@@ -206,8 +288,8 @@ private fun FORM.choice(
         name = field.code
         codes.forEach { code ->
             option {
-                value = code
-                selected = typed?.get(field.code) == code
+                this.value = code
+                selected = value(field) == code
                 +texts.say("exams.${field.code}.$code")
             }
         }

@@ -25,6 +25,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.exam.Exam
 import rasterlab.grader.exam.ExamEvent
 import rasterlab.grader.exam.SeatedStudent
+import rasterlab.grader.exam.SittingState
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.respondPage
@@ -49,6 +50,9 @@ internal suspend fun ApplicationCall.respondExam(
         p("ways") {
             a("/instructor/courses/${exam.course}/exams") { +texts.say("exams.back") }
             a("/instructor/exams/${exam.id}/protocol.csv") { +texts.say("exams.protocol.csv") }
+            if (who is Identity.Instructor) {
+                a("/instructor/exams/${exam.id}/change") { +texts.say("exams.change") }
+            }
         }
         p { +texts.said(exam) }
         p { +exam.exercises.joinToString { exercises.find(it)?.title(texts.language) ?: it } }
@@ -56,11 +60,21 @@ internal suspend fun ApplicationCall.respondExam(
         p { +if (from.isEmpty()) texts.say("exams.from.any") else texts.say("exams.from", from) }
         h2 { +texts.say("exams.students") }
         scrolling(texts.say("exams.students")) { students(texts, who, exam, seats, now) }
+        if (who is Identity.Instructor && seats.any { it.sitting.state(now) == SittingState.RUNNING }) end(texts, exam)
         h2 { +texts.say("exams.protocol") }
         if (events.isEmpty()) p { +texts.say("exams.protocol.none") }
         if (events.isNotEmpty()) scrolling(texts.say("exams.protocol")) { protocol(texts, exam, events) }
         if (who is Identity.Instructor && seats.all { it.sitting.started == null }) drop(texts, exam)
     }
+}
+
+private fun FlowContent.end(
+    texts: PageTexts,
+    exam: Exam,
+) = details("card exam") {
+    summary { +texts.say("exams.end") }
+    p { +texts.say("exams.end.about") }
+    form("/instructor/exams/${exam.id}/end", method = FormMethod.post) { button { +texts.say("exams.end.do") } }
 }
 
 private fun FlowContent.drop(

@@ -1,0 +1,177 @@
+package rasterlab.grader.web.rules
+
+import io.ktor.http.HttpStatusCode
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.respondRedirect
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.routing.post
+import kotlinx.html.FlowContent
+import kotlinx.html.FormMethod
+import kotlinx.html.InputType
+import kotlinx.html.TR
+import kotlinx.html.a
+import kotlinx.html.button
+import kotlinx.html.div
+import kotlinx.html.form
+import kotlinx.html.input
+import kotlinx.html.p
+import kotlinx.html.table
+import kotlinx.html.tbody
+import kotlinx.html.td
+import kotlinx.html.th
+import kotlinx.html.thead
+import kotlinx.html.tr
+import rasterlab.exercises.Exercise
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Course
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.rules.CourseExercises
+import rasterlab.grader.rules.CourseRules
+import rasterlab.grader.rules.ExerciseRules
+import rasterlab.grader.rules.RuleField
+import rasterlab.grader.web.FORM_AGAIN
+import rasterlab.grader.web.FormAgain
+import rasterlab.grader.web.PageTexts
+import rasterlab.grader.web.Refused
+import rasterlab.grader.web.courseOf
+import rasterlab.grader.web.forPeople
+import rasterlab.grader.web.instructorHere
+import rasterlab.grader.web.problem
+import rasterlab.grader.web.receiveForm
+import rasterlab.grader.web.requireOwnForm
+import rasterlab.grader.web.respondPage
+import rasterlab.grader.web.rulesAddress
+import rasterlab.grader.web.staffHere
+import rasterlab.grader.web.texts
+
+/** Shows staff the exercises of a course and their rules, and lets instructors choose which the course has. */
+fun Route.courseExercisePages(
+    accounts: Accounts,
+    courses: Courses,
+    exercises: Exercises,
+    chosen: CourseExercises,
+    rules: CourseRules,
+) {
+    get("/instructor/courses/{course}/exercises") {
+        val who = call.staffHere(accounts)
+        ExerciseTable(call.courseOf(courses), exercises, chosen, rules).show(call, who, refused = null)
+    }
+    post("/instructor/courses/{course}/exercises") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val table = ExerciseTable(call.courseOf(courses), exercises, chosen, rules)
+        val form = call.receiveForm()
+        call.attributes.put(
+            FORM_AGAIN,
+            FormAgain { status, code, added ->
+                table.show(call, who, Refused(status, code, added(call.texts().language)))
+            },
+        )
+        chosen.choose(table.course, if ("all" in form) null else form.getAll("exercise").orEmpty(), who.id)
+        call.respondRedirect(table.address)
+    }
+}
+
+private class ExerciseTable(
+    val course: Course,
+    private val exercises: Exercises,
+    private val chosen: CourseExercises,
+    private val rules: CourseRules,
+) {
+    val address = "/instructor/courses/${course.id}/exercises"
+
+    suspend fun show(
+        call: ApplicationCall,
+        who: Identity.StaffIdentity,
+        refused: Refused?,
+    ) {
+        val texts = call.texts()
+        val status = refused?.status ?: HttpStatusCode.OK
+        call.respondPage(texts, who, texts.say("rules.title", course.name), status) {
+            refused?.let { problem(texts, it.status, it.code, it.details) }
+            p { a("/instructor") { +texts.say("token.back") } }
+            if (who is Identity.Instructor) choice(texts) else rows(texts, choosing = false)
+        }
+    }
+
+    private fun FlowContent.choice(texts: PageTexts) =
+        form(address, method = FormMethod.post) {
+            p { +texts.say("rules.choice.about") }
+            rows(texts, choosing = true)
+            p("ways") {
+                button { +texts.say("rules.choice.save") }
+                button(classes = "plain") {
+                    name = "all"
+                    +texts.say("rules.choice.all")
+                }
+            }
+        }
+
+    /** What the course has comes first. */
+    private fun FlowContent.rows(
+        texts: PageTexts,
+        choosing: Boolean,
+    ) = div("scroll") {
+        val had = chosen.of(course.id).toSet()
+        val set = rules.ofCourse(course)
+        table {
+            thead {
+                tr {
+                    th { +texts.say("rules.column.chosen") }
+                    th { +texts.say("rules.exercise") }
+                    (RuleField.entries - RuleField.ZONE).forEach { th { +texts.say("rules.column.${it.code}") } }
+                    th { +texts.say("rules.column.class") }
+                }
+            }
+            tbody {
+                exercises.all.sortedByDescending { it.id() in had }.forEach { exercise ->
+                    tr {
+                        td {
+                            if (choosing) {
+                                check(texts, exercise, exercise.id() in had)
+                            } else if (exercise.id() in had) {
+                                +"✓"
+                            }
+                        }
+                        ruled(texts, exercise, set[exercise.id()] ?: ExerciseRules(), choosing)
+                    }
+                }
+            }
+        }
+    }
+
+    private fun FlowContent.check(
+        texts: PageTexts,
+        exercise: Exercise,
+        isIn: Boolean,
+    ) = input(InputType.checkBox, name = "exercise") {
+        value = exercise.id()
+        checked = isIn
+        attributes["aria-label"] = texts.say("rules.choice.has", exercise.title(texts.language))
+    }
+
+    private fun TR.ruled(
+        texts: PageTexts,
+        exercise: Exercise,
+        rules: ExerciseRules,
+        changing: Boolean,
+    ) {
+        val title = exercise.title(texts.language)
+        td { if (changing) a(rulesAddress(course, exercise)) { +title } else +title }
+        td { +rules.opens?.forPeople(rules.zone).orEmpty() }
+        td { +rules.due?.forPeople(rules.zone).orEmpty() }
+        td { +rules.lateDays?.toString().orEmpty() }
+        td { +rules.attempts?.toString().orEmpty() }
+        td { +texts.say("rules.policy.${rules.policy.code}") }
+        td { if (rules.latePenalty > 0) +"${rules.latePenalty}\u00a0%" }
+        td {
+            a("${rulesAddress(course, exercise)}/errors") {
+                attributes["aria-label"] = "${texts.say("errors.heading")}: $title"
+                +texts.say("errors.link")
+            }
+        }
+    }
+}
