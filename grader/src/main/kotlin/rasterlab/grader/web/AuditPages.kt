@@ -18,6 +18,7 @@ import rasterlab.grader.course.Audit
 import rasterlab.grader.course.AuditEntry
 import rasterlab.grader.course.AuditPage
 import rasterlab.grader.course.Identity
+import rasterlab.grader.course.StaffRole
 
 /** Shows an instructor what staff changed, the latest first, a page at a time. */
 fun Route.auditPages(
@@ -89,7 +90,7 @@ private fun FlowContent.subject(one: AuditEntry) {
 }
 
 private fun PageTexts.detail(one: AuditEntry): String =
-    if (one.action.startsWith("staff-")) say("staff.role.${one.detail}") else one.detail
+    if (StaffRole.entries.any { it.code == one.detail }) say("staff.role.${one.detail}") else one.detail
 
 private fun PageTexts.doer(one: AuditEntry): String =
     when {
