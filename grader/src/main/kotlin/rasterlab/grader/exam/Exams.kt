@@ -125,7 +125,7 @@ class Exams(
         }
     }
 
-    /** What changed, each with what it was and what it is. */
+    /** The fields that changed, each with what it was and what it is. */
     private fun changes(
         before: Exam,
         after: Exam,

@@ -53,7 +53,7 @@ import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.staffHere
 import rasterlab.grader.web.texts
 
-/** Serves what staff do with exams: make one, change it, watch it, give minutes, let another session in, take the protocol away. */
+/** Serves what staff do with exams: make one, watch it, change it, take its protocol away. */
 internal fun Route.examDesk(
     accounts: Accounts,
     courses: Courses,
@@ -91,6 +91,15 @@ internal fun Route.examDesk(
         call.staffHere(accounts)
         call.respondProtocol(exams)
     }
+    examChanges(accounts, exercises, exams)
+    students(accounts, exams)
+}
+
+private fun Route.examChanges(
+    accounts: Accounts,
+    exercises: Exercises,
+    exams: Exams,
+) {
     get("/instructor/exams/{exam}/change") {
         val who = call.instructorHere(accounts)
         call.respondChange(who, exams.find(call.parameters.getOrFail("exam")), exercises, typed = null, refused = null)
@@ -122,6 +131,13 @@ internal fun Route.examDesk(
         val dropped = exams.drop(call.parameters.getOrFail("exam"), who.id)
         call.respondRedirect("/instructor/courses/${dropped.course}/exams")
     }
+}
+
+/** Gives a student minutes, or lets another session of theirs in. */
+private fun Route.students(
+    accounts: Accounts,
+    exams: Exams,
+) {
     post("/instructor/exams/{exam}/students/{student}/extra") {
         call.requireOwnForm()
         val who = call.instructorHere(accounts)
@@ -167,7 +183,7 @@ private suspend fun ApplicationCall.respondChange(
     }
 }
 
-/** Its first and last moment as a browser's field for a date and a time has them. */
+/** The first and the last moment as a browser's field for a date and a time has them. */
 private fun Exam.times(): List<String> = listOf(opens, closes).map { FIELD_TIME.format(it.atZone(zone)) }
 
 private suspend fun ApplicationCall.respondAll(

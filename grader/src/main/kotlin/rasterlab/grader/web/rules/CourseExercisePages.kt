@@ -1,3 +1,4 @@
+// The page on which an instructor chooses the exercises of a course.
 package rasterlab.grader.web.rules
 
 import io.ktor.http.HttpStatusCode
@@ -110,7 +111,7 @@ private class ExerciseTable(
             }
         }
 
-    /** What the course has comes first. */
+    /** Writes the exercises of the course, then all others. */
     private fun FlowContent.rows(
         texts: PageTexts,
         choosing: Boolean,
