@@ -309,7 +309,7 @@ class Server(
             pages(pageParts, ENTRY)
             rateLimit(ENTRY) { institutionPages(institution, accounts) }
             toolPages(lti)
-            rateLimit(ENTRY) { launchPages(lti, accounts, exercises) }
+            rateLimit(ENTRY) { launchPages(lti, accounts, exercises, chosen) }
             platformPages(accounts, lti)
             scorePages(accounts, courses, exercises, lti)
             courseExercisePages(accounts, courses, exercises, chosen, rules)

@@ -105,7 +105,7 @@ class Arrivals(
         val who = bindings.staffOf(launch)?.let(::known) as? Identity.Instructor ?: throw LtiRefused(LtiFault.UNBOUND)
         val meant =
             if (course.isEmpty()) {
-                courses.create(who, Name.of(name), key = null)
+                courses.create(who.id, Name.of(name), key = null)
             } else {
                 courses.find(course) ?: throw Rejection.UnknownCourse(course)
             }

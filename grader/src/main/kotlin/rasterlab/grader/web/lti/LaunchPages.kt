@@ -30,6 +30,7 @@ import kotlinx.html.section
 import kotlinx.html.span
 import org.slf4j.LoggerFactory
 import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Course
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.lti.Launch
 import rasterlab.grader.lti.LaunchStep
@@ -38,6 +39,7 @@ import rasterlab.grader.lti.Lti
 import rasterlab.grader.lti.LtiFault
 import rasterlab.grader.lti.LtiRefused
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.rules.CourseExercises
 import rasterlab.grader.storage.OnceOnly
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.web.PageTexts
@@ -61,8 +63,9 @@ fun Route.launchPages(
     lti: Lti,
     accounts: Accounts,
     exercises: Exercises,
+    chosen: CourseExercises,
 ) {
-    val desk = LaunchDesk(lti, accounts, exercises)
+    val desk = LaunchDesk(lti, accounts, exercises, chosen)
     get("/lti/login") { desk.handle(call) { begin(call, call.request.queryParameters) } }
     post("/lti/login") { desk.handle(call) { begin(call, call.receiveForm(LAUNCH_BYTES)) } }
     post("/lti/launch") { desk.handle(call) { end(call, call.receiveForm(LAUNCH_BYTES)) } }
@@ -83,6 +86,7 @@ private class LaunchDesk(
     private val lti: Lti,
     private val accounts: Accounts,
     private val exercises: Exercises,
+    private val had: CourseExercises,
 ) {
     suspend fun handle(
         call: ApplicationCall,
@@ -181,7 +185,7 @@ private class LaunchDesk(
                 .getAll("exercise")
                 .orEmpty()
                 .distinct()
-                .map(exercises::named)
+                .map { id -> of(arrival.course).firstOrNull { it.id() == id } ?: throw Rejection.UnknownExercise(id) }
         if (chosen.isEmpty() || (chosen.size > 1 && !arrival.wish.several)) {
             return call.respondChoice(arrival, "lti-choice")
         }
@@ -189,6 +193,9 @@ private class LaunchDesk(
         val answer = lti.deepLinks.answer(launch, arrival.wish, chosen, target, call.texts().language)
         call.respondAnswer(arrival, answer, chosen.size)
     }
+
+    /** The exercises that a course has. */
+    private fun of(course: Course) = had.of(course.id).map(exercises::named)
 
     private fun ApplicationCall.allowFrame(launch: Launch) {
         launch.from?.let { from -> mayBeFramedBy(lti.platforms.all().map { it.login } + URI(from)) }
@@ -228,7 +235,7 @@ private class LaunchDesk(
         val kind = if (arrival.wish.several) InputType.checkBox else InputType.radio
         fieldSet {
             legend { +texts.say("lti.links.which", arrival.course.name) }
-            exercises.all.forEach { one ->
+            of(arrival.course).forEach { one ->
                 val points = texts.say("exercises.points", one.points().total())
                 choice(kind, "exercise", one.id(), "${one.title(texts.language)} · $points", chosen = false)
             }
