@@ -104,8 +104,7 @@ class HostingTest {
         Path hosting = Files.createDirectories(sources.resolve("grader/hosting"));
         for (String name : FILES) {
             String text = Repository.text(GUIDE.resolveSibling("hosting").resolve(name));
-            if (name.equals("server.yaml"))
-                text += "\njava-images: " + ServerProcess.IMAGES + "\n";
+            if (name.equals("server.yaml")) text += "\njava-images: " + ServerProcess.IMAGES + "\n";
             Files.writeString(hosting.resolve(name), here(text, port));
         }
         Files.createDirectories(machine.resolve("etc/caddy"));
