@@ -15,6 +15,7 @@ import io.ktor.server.plugins.ratelimit.RateLimitName
 import io.ktor.server.plugins.ratelimit.rateLimit
 import io.ktor.server.plugins.statuspages.StatusPages
 import io.ktor.server.routing.IgnoreTrailingSlash
+import io.ktor.server.routing.Route
 import io.ktor.server.routing.route
 import io.ktor.server.routing.routing
 import kotlinx.coroutines.Dispatchers
@@ -306,56 +307,63 @@ class Server(
         guardExams(ExamGuard(accounts, sittings, submissions, chosen::closedTo))
         routing {
             monitoring(database, isolation, meters)
-            pages(pageParts, ENTRY)
-            rateLimit(ENTRY) { institutionPages(institution, accounts) }
-            toolPages(lti)
-            rateLimit(ENTRY) { launchPages(lti, accounts, exercises, chosen) }
-            platformPages(accounts, lti)
-            scorePages(accounts, courses, exercises, lti)
-            courseExercisePages(accounts, courses, exercises, chosen, rules)
-            examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
-            errorPages(accounts, courses, exercises, last)
-            commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
-            trialPages(accounts, trialDesk, live)
-            viewPages(accounts, submissions)
-            comparePages(accounts, exercises, pairs)
-            complaintPages(accounts, courses, exercises, submissions, complaints, pageParts.resultPage)
-            questionPages(accounts, courses, exercises, comments, keptComments)
-            effortPages(accounts, courses, exercises, efforts)
-            frontPages(accounts, courses, exercises, front)
-            route("/api/v1") {
-                rateLimit(ENTRY) { joining(courses) }
-                authenticate {
-                    courses(courses, accounts)
-                    staff(staff, audit)
-                    workers(workers)
-                    roster(courses, roster)
-                    grades(grades)
-                    exercises(exercises, ::closedTo, sheets::starter, rules::of, submissions::standingOf)
-                    exerciseRules(courses, rules, chosen, exercises.all.map { it.id() }) { exercises.named(it) }
-                    courseExercises(courses, chosen)
-                    clones(courses, clones)
-                    regrades(courses, exercises, regrades, queue, live)
-                    studentRecords(records, exercises::ending)
-                    hints(exercises, hints, courses)
-                    similarity(exercises, similar)
-                    errors(courses, exercises, last)
-                    efforts(courses, exercises, efforts)
-                    fronts(courses, exercises, front)
-                    submissions(exercises, intake, queue, choices)
-                    adjustments(submissions, adjustments)
-                    exams(courses, exercises, exams, sittings)
-                    comments(submissions, comments)
-                    courseComments(courses, comments, keptComments)
-                    trials(trialDesk)
-                    comparisons(pairs)
-                    complaints(submissions, courses, complaints)
-                    results(results, live)
-                    lti(lti.platforms, courses, lti.states)
-                }
-            }
+            servePages()
+            serveApi()
         }.refuseOtherMethods()
     }
+
+    private fun Route.servePages() {
+        pages(pageParts, ENTRY)
+        rateLimit(ENTRY) { institutionPages(institution, accounts) }
+        toolPages(lti)
+        rateLimit(ENTRY) { launchPages(lti, accounts, exercises, chosen) }
+        platformPages(accounts, lti)
+        scorePages(accounts, courses, exercises, lti)
+        courseExercisePages(accounts, courses, exercises, chosen, rules)
+        examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
+        errorPages(accounts, courses, exercises, last)
+        commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
+        trialPages(accounts, trialDesk, live)
+        viewPages(accounts, submissions)
+        comparePages(accounts, exercises, pairs)
+        complaintPages(accounts, courses, exercises, submissions, complaints, pageParts.resultPage)
+        questionPages(accounts, courses, exercises, comments, keptComments)
+        effortPages(accounts, courses, exercises, efforts)
+        frontPages(accounts, courses, exercises, front)
+    }
+
+    private fun Route.serveApi() =
+        route("/api/v1") {
+            rateLimit(ENTRY) { joining(courses) }
+            authenticate {
+                courses(courses, accounts)
+                staff(staff, audit)
+                workers(workers)
+                roster(courses, roster)
+                grades(grades)
+                exercises(exercises, ::closedTo, sheets::starter, rules::of, submissions::standingOf)
+                exerciseRules(courses, rules, chosen, exercises.all.map { it.id() }) { exercises.named(it) }
+                courseExercises(courses, chosen)
+                clones(courses, clones)
+                regrades(courses, exercises, regrades, queue, live)
+                studentRecords(records, exercises::ending)
+                hints(exercises, hints, courses)
+                similarity(exercises, similar)
+                errors(courses, exercises, last)
+                efforts(courses, exercises, efforts)
+                fronts(courses, exercises, front)
+                submissions(exercises, intake, queue, choices)
+                adjustments(submissions, adjustments)
+                exams(courses, exercises, exams, sittings)
+                comments(submissions, comments)
+                courseComments(courses, comments, keptComments)
+                trials(trialDesk)
+                comparisons(pairs)
+                complaints(submissions, courses, complaints)
+                results(results, live)
+                lti(lti.platforms, courses, lti.states)
+            }
+        }
 
     private fun RateLimitConfig.limitEntries(forwarding: Forwarding) =
         register(ENTRY) {

@@ -17,6 +17,7 @@ import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.chart.ConditionsWords;
 import rasterlab.app.study.chart.LeftOutNote;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.TopicNames;
@@ -162,7 +163,13 @@ final class StudyInspector {
         column.showRow(recorded, !chart);
         open.setVisible(!chart);
         input.setVisible(!chart);
-        say(origin, chart ? model.shippedStudy().map(words::shipped).orElse("") : "");
+        say(
+                origin,
+                chart
+                        ? model.shippedStudy()
+                                .map(new ConditionsWords(texts.language())::shipped)
+                                .orElse("")
+                        : "");
         say(signs, chart ? "" : texts.text("signs.meaning"));
         say(notTimed, chart ? state.study().map(this::notTimed).orElse("") : "");
         if (chart) showPoint(state);

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.file.Kept;
@@ -22,7 +21,6 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.study.chart.StudyWork;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.HazardTrial.VerdictCell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
@@ -202,14 +200,10 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     /** Forgets what another program did on that topic before. */
     private void renew(String topic) {
         studies.computeIfPresent(topic, (name, before) -> KeptStudies.withoutOwn(before));
-        verdicts.computeIfPresent(topic, (name, before) -> without(before));
+        verdicts.computeIfPresent(topic, (name, before) -> HazardRuns.withoutOwn(before));
         if (!isShown(topic)) return;
         cancel();
         publish(first(plain(topic), state.thorough(), state.view()));
-    }
-
-    private static List<VerdictCell> without(List<VerdictCell> cells) {
-        return cells.stream().filter(one -> !one.method().equals(OwnMethods.NAME)).toList();
     }
 
     /** Says whether the next measurement takes its time. */
@@ -350,29 +344,17 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                             new ThrottledUpdates<List<VerdictCell>>(
                                     tell, BETWEEN_NEWS, cells -> tell(cells, of));
                     List<VerdictCell> all =
-                            tried(
-                                    topic.name(),
-                                    cell -> {
-                                        judged.add(cell);
-                                        news.accept(() -> List.copyOf(judged));
-                                    });
+                            new HazardRuns(plain(topic.name()), own)
+                                    .tried(
+                                            cell -> {
+                                                judged.add(cell);
+                                                news.accept(() -> List.copyOf(judged));
+                                            });
                     return () -> {
                         verdicts.put(topic.name(), all);
                         publish(state.withCells(all));
                     };
                 });
-    }
-
-    private List<VerdictCell> tried(String topic, Consumer<VerdictCell> judged) {
-        Topic<?, ?, ?> plain = plain(topic);
-        BooleanSupplier cancelled = Thread.currentThread()::isInterrupted;
-        var cells =
-                new ArrayList<>(
-                        HazardTrial.table(plain, HazardTrial.WALL_LIMIT, judged, cancelled));
-        own.of(topic)
-                .map(program -> new OwnStudy<>(plain, program, own).hazards(judged, cancelled))
-                .ifPresent(cells::addAll);
-        return cells;
     }
 
     private void tell(List<VerdictCell> cells, int of) {

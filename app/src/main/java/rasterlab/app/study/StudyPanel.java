@@ -31,6 +31,7 @@ import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.chart.ConditionsWords;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.chart.StudyWork;
 import rasterlab.app.study.chart.TopicNames;
@@ -256,13 +257,17 @@ public final class StudyPanel extends LabPanel {
         if (work.kind() == StudyWork.Kind.NOT_READ) return texts.text("progress.notRead", why);
         if (state.view().isChart())
             return model.shippedStudy()
-                    .map(words::shipped)
+                    .map(conditions()::shipped)
                     .or(() -> state.study().map(this::measured))
                     .orElse(texts.text("progress.none"));
         return texts.text(state.cells().isEmpty() ? "progress.untried" : "progress.tried");
     }
 
     private String measured(Study study) {
-        return words.measuredOn(study).orElse(texts.text("progress.measured"));
+        return conditions().measuredOn(study).orElse(texts.text("progress.measured"));
+    }
+
+    private ConditionsWords conditions() {
+        return new ConditionsWords(texts.language());
     }
 }

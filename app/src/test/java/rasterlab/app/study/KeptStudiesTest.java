@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.outcome.Complaint;
-import rasterlab.app.study.chart.StudyWords;
+import rasterlab.app.study.chart.ConditionsWords;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
@@ -103,12 +103,12 @@ class KeptStudiesTest {
 
     @Test
     void dateMachineAndItsLoadAreSaid() {
-        String english = new StudyWords(Language.ENGLISH).measuredOn(study()).orElseThrow();
+        String english = new ConditionsWords(Language.ENGLISH).measuredOn(study()).orElseThrow();
         assertTrue(english.startsWith("Measured on "), english);
         assertTrue(
                 english.endsWith("; Z80, 1 core; load of the machine 1.2 before, 3.5 after."),
                 english);
-        String russian = new StudyWords(Language.RUSSIAN).measuredOn(study()).orElseThrow();
+        String russian = new ConditionsWords(Language.RUSSIAN).measuredOn(study()).orElseThrow();
         assertTrue(russian.startsWith("Измерено "), russian);
         assertTrue(
                 russian.endsWith("; Z80, ядер: 1; загрузка машины до измерения 1,2, после 3,5."),

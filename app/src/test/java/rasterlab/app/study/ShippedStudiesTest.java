@@ -24,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.study.chart.ConditionsWords;
 import rasterlab.app.study.chart.LeftOutNote;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.Topics;
@@ -52,7 +53,7 @@ class ShippedStudiesTest {
     void eachTopicHasAResultWithItsMachine(Topic<?, ?, ?> topic) {
         Study study = ShippedStudies.of(topic).orElseThrow();
         Machine where = study.circumstances().orElseThrow().machine();
-        String said = new StudyWords(Language.ENGLISH).shipped(study);
+        String said = new ConditionsWords(Language.ENGLISH).shipped(study);
         assertTrue(study.isWhole(), "stopped before its end");
         for (String part : List.of("comes with", where.processor(), where.java(), "core"))
             assertTrue(said.contains(part), said);

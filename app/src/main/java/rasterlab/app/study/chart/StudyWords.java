@@ -1,13 +1,9 @@
 package rasterlab.app.study.chart;
 
-import java.time.ZoneId;
-import java.time.format.DateTimeFormatter;
-import java.time.format.FormatStyle;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.method.OwnWords;
@@ -20,9 +16,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Regime;
 import rasterlab.engine.study.Study;
-import rasterlab.engine.study.StudyConditions;
 import rasterlab.engine.study.Verdict;
-import rasterlab.engine.study.measuring.Machine;
 
 /** The words of a chart or a table of a study, in one language. */
 public final class StudyWords {
@@ -189,52 +183,13 @@ public final class StudyWords {
         if (level.measurements().stream().anyMatch(StudyWords::hasNoNumber))
             notes.add(texts.text("front.notRight.note", withoutNumber(level)));
         notes.add(texts.text(frontNoteKey()));
-        measuredOn(study).ifPresent(notes::add);
+        new ConditionsWords(texts.language()).measuredOn(study).ifPresent(notes::add);
         return String.join(" ", notes);
     }
 
     private String frontNoteKey() {
         if (costKey.equals(TIMED)) return "front.note";
         return costKey.equals(RATIO) ? "front.note.brief" : "front.note.counted";
-    }
-
-    /**
-     * When and where a study was measured, and the load that its machine had; empty where nobody
-     * knows.
-     */
-    public Optional<String> measuredOn(Study study) {
-        return study.circumstances().map(this::measuredOn);
-    }
-
-    /** Says that a result is none of this machine, but came with the program, and its machine. */
-    public String shipped(Study study) {
-        return texts.text(
-                "measured.shipped",
-                measuredOn(study).orElse(""),
-                study.circumstances().map(how -> how.machine().java()).orElse(""));
-    }
-
-    private String measuredOn(StudyConditions how) {
-        String when =
-                DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT)
-                        .withLocale(locale())
-                        .withZone(ZoneId.systemDefault())
-                        .format(how.begun());
-        Machine where = how.machine();
-        String date =
-                texts.text(
-                        how.whole() ? "measured.on" : "measured.part",
-                        when,
-                        where.processor(),
-                        where.cores());
-        boolean told = how.loadBefore() >= 0 && how.loadAfter() >= 0;
-        return told
-                ? texts.text("measured.load", date, load(how.loadBefore()), load(how.loadAfter()))
-                : date + ".";
-    }
-
-    private String load(double processes) {
-        return String.format(locale(), "%.1f", processes);
     }
 
     /**
