@@ -101,7 +101,7 @@ class SplineFunctionPropertyTest {
             @ForAll long seed) {
         SplineProblem p = problem(knots, kind, seed);
         SplineValues exact = TOPIC.exact(p, 1_000);
-        for (var method : TOPIC.methods()) {
+        for (var method : RightSplines.all()) {
             SplineFunction function = method.implementation();
             Deviation deviation = TOPIC.compare(p, exact, TOPIC.record(function, p, 1_000));
             assertTrue(TOPIC.correct(deviation), method.name() + " " + deviation);

@@ -79,7 +79,7 @@ class SplineFunctionTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("refused")
     void refusesWithPlaceAndValue(double[] x, double[] y, SplineEnds ends, String message) {
-        for (var method : new SplineFunctionTopic().methods()) {
+        for (var method : RightSplines.all()) {
             var refusal =
                     assertThrows(
                             IllegalArgumentException.class,
@@ -187,7 +187,7 @@ class SplineFunctionTest {
         var x = new double[1_000_000];
         Arrays.setAll(x, i -> i);
         double[] y = Arrays.stream(x).map(v -> 3 - 2 * v).toArray();
-        for (var method : new SplineFunctionTopic().methods())
+        for (var method : RightSplines.all())
             for (var ends : new SplineEnds[] {NATURAL, SplineEnds.notAKnot()}) {
                 double[] line = method.implementation().coefficients(x, y, ends);
                 for (int i = 0; i < line.length; i += 4) {
