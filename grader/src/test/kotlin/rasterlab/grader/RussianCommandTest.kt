@@ -171,7 +171,10 @@ class RussianCommandTest {
         assertEquals(2, run(*call.split(" ").toTypedArray()))
         val said = printed.toString()
         assertTrue(Regex("no command 'nope'|нет команды «nope»").containsMatchIn(said), said)
-        assertTrue(said.trim().endsWith("serve, worker, backup, restore, token, course, staff, regrade, help"), said)
+        assertTrue(
+            said.trim().endsWith("serve, worker, backup, restore, token, course, staff, regrade, lti, help"),
+            said,
+        )
     }
 
     @ParameterizedTest(name = "help of {0} is the help of the command above it")
@@ -232,7 +235,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "lang.*|java-images.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|public-address|oidc-.*|sign-in-.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|worker\\..*|process\\.name.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)|regrade\\.(id|of.*|submission|dry)",
+                    "lang.*|java-images.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|public-address|oidc-.*|sign-in-.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|worker\\..*|process\\.name.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)|lti\\..*|regrade\\.(id|of.*|submission|dry)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

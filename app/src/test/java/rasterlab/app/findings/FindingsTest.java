@@ -68,8 +68,7 @@ class FindingsTest {
         var linked = new TreeSet<String>();
         while (link.find()) linked.add(link.group(1));
         for (String file : linked) assertTrue(Files.size(folder.resolve(file)) > 0, file);
-        assertEquals(
-                12, linked.size(), "five charts in two looks, two files of numbers: " + linked);
+        assertEquals(14, linked.size(), "six charts in two looks, two files of numbers: " + linked);
         assertTrue(page("charts/view-error-by-input.svg").contains(">Best: "), "not another chart");
         assertTrue(page("index.html").contains("<a href=\"matrix.html\">"));
         assertTrue(page("course.html").contains("charts/matrix-front.svg"));

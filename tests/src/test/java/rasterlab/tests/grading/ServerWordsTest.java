@@ -90,6 +90,7 @@ class ServerWordsTest {
                 new Rejection.InExam("Spring"),
                 new Rejection.ExamAddress("192.0.2.1"),
                 new Rejection.OtherSession(),
+                new Rejection.OnlyLooks(),
                 new Rejection.NoRoom());
     }
 

@@ -15,7 +15,7 @@ final class MappingMutants {
 
     static List<Mutant<TextureMapper>> all() {
         return List.of(
-                new Mutant<>("s-t-linear", "floor", new AffineMapper(TexturedSpan.MOST_PIXELS)),
+                new Mutant<>("s-t-linear", "floor", new AffineTextbookMapper()),
                 new Mutant<>("depth-linear", "at-the-near-plane", MappingMutants::linearDepth),
                 new Mutant<>("divided-by-n", "both-ends", MappingMutants::byN),
                 new Mutant<>(
