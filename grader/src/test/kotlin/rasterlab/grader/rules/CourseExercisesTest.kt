@@ -114,7 +114,7 @@ class CourseExercisesTest {
             val refused = sendForm(address, "")
             assertEquals(422, refused.status.value)
             assertTrue("at least one exercise" in refused.bodyAsText(), refused.bodyAsText())
-            val helper =
+            val assistant =
                 printedBy(
                     folder,
                     "staff",
@@ -123,8 +123,8 @@ class CourseExercisesTest {
                     "assistant",
                     "Bob",
                 ).trim().lines().last().substringAfterLast('\t')
-            assertEquals(403, sendForm(address, "exercise=b", helper).status.value)
-            assertFalse("checkbox" in page(address, helper))
+            assertEquals(403, sendForm(address, "exercise=b", assistant).status.value)
+            assertFalse("checkbox" in page(address, assistant))
             assertEquals(302, sendForm(address, "all=").status.value)
             assertEquals(listOf("draw-dot", "b", "c"), inCourse(course))
         }

@@ -188,6 +188,29 @@ class TablesTest {
         }
 
     @Test
+    @DisplayName("a course of version 21 is lost in one of the databases, is no platform's, or has but some exercises")
+    fun takesPlatformsAndAChoiceOfExercises() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("11")
+                fill(source, 11)
+                Tables(source).migrate("21")
+                Tables(source).migrate()
+                assertWhole(source, 11)
+                source.assertRows("count(*) FROM chosen_exercises", "0")
+                source.execute("INSERT INTO chosen_exercises VALUES ('c', 'draw-dot')")
+                source.execute(
+                    """INSERT INTO lti_platforms (id, name, issuer, client_id, deployment, login_url, token_url, keys_url,
+                           makes_staff, added_at)
+                       VALUES ('p', 'Moodle', 'i', 'r', '1', 'l', 't', 'k', 0, '$THEN')""",
+                )
+                source.execute("INSERT INTO lti_contexts VALUES ('p', 'x', 'CG', 'c', '$THEN')")
+                source.execute("INSERT INTO lti_students VALUES ('p', 'sub', 'c', 'a')")
+                source.assertRows("student_id, title FROM lti_students JOIN lti_contexts ON context = 'x'", "a CG")
+            }
+        }
+
+    @Test
     @DisplayName("a course of version 23 is lost in one of the databases, or none of its submissions can be copied")
     fun takesCopiesWhereThereWereNone() =
         LocalPostgres().use { postgres ->
