@@ -11,7 +11,7 @@ import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Verdict;
 
 class CurveLengthTest {
-    /** Found by the search for hazards: a right answer has 46,354 points, the reference 16,001. */
+    /** A find of the search for hazards: a right answer has 46,354 points, the reference 16,001. */
     @ParameterizedTest(
             name = "{0} is taken for endless where a curve is long and its flatness small")
     @ValueSource(strings = {"uniform", "de-casteljau"})
