@@ -19,11 +19,11 @@ import rasterlab.engine.study.Topic;
 /**
  * The function that one method put through the knots.
  *
- * @param coefficients a, b, c, d of each piece; none where the method refused
+ * @param coefficients a, b, c, d of each piece; none unless the search ended well
  * @param graph places along the function, {@value #EACH} to a piece
  * @param error against the exact function, as a share of the largest value
  * @param right whether the topic calls it exact
- * @param message what the method said when it refused or failed; else ""
+ * @param message why there is nothing to draw; "" where there is
  */
 public record FunctionDrawing(
         String method,
@@ -41,6 +41,8 @@ public record FunctionDrawing(
     public enum FunctionEnding {
         ENDED,
         REFUSED,
+        /** The method answered what has no value somewhere. */
+        UNDRAWABLE,
         CRASHED
     }
 
@@ -116,10 +118,18 @@ public record FunctionDrawing(
             String method,
             FunctionChoice choice) {
         SplineFunction function = topic.method(method).implementation();
+        double[] coefficients;
         try {
-            return found(topic, method, function, choice);
+            coefficients = function.coefficients(choice.x(), choice.y(), choice.ends());
         } catch (IllegalArgumentException e) {
             return nothing(method, FunctionEnding.REFUSED, e.getMessage());
+        } catch (RuntimeException e) {
+            return nothing(method, FunctionEnding.CRASHED, e.toString());
+        }
+        try {
+            return found(topic, method, coefficients, choice);
+        } catch (IllegalArgumentException e) {
+            return nothing(method, FunctionEnding.UNDRAWABLE, e.getMessage());
         } catch (RuntimeException e) {
             return nothing(method, FunctionEnding.CRASHED, e.toString());
         }
@@ -151,17 +161,17 @@ public record FunctionDrawing(
     private static FunctionDrawing found(
             Topic<SplineFunction, SplineProblem, SplineValues> topic,
             String method,
-            SplineFunction function,
+            double[] all,
             FunctionChoice choice) {
+        SplineFunction function = topic.method(method).implementation();
         double[] x = choice.x();
-        double[] all = function.coefficients(x, choice.y(), choice.ends());
         double[] places = places(x);
-        double[] values = new PiecewiseCubic(x, all, choice.ends()).at(places);
-        var graph = new ArrayList<Place>();
-        for (int i = 0; i < places.length; i++) graph.add(new Place(places[i], values[i]));
         SplineProblem problem = choice.problem(coarse(places));
         int limit = problem.at().length;
         SplineValues exact = topic.exact(problem, limit);
+        double[] values = new PiecewiseCubic(x, all, choice.ends()).at(places);
+        var graph = new ArrayList<Place>();
+        for (int i = 0; i < places.length; i++) graph.add(new Place(places[i], values[i]));
         SplineValues actual = topic.record(function, problem, limit);
         Deviation deviation = topic.compare(problem, exact, actual);
         return new FunctionDrawing(

@@ -142,6 +142,11 @@ final class FunctionReadings {
                                                     drawing.method(),
                                                     VerdictDetail.translated(
                                                             texts.language(), drawing.message())));
+            case UNDRAWABLE ->
+                    texts.text(
+                            "note.undrawable",
+                            drawing.method(),
+                            VerdictDetail.translated(texts.language(), drawing.message()));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };
     }

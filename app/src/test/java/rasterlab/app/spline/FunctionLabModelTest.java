@@ -1,6 +1,7 @@
 package rasterlab.app.spline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -71,6 +72,18 @@ class FunctionLabModelTest {
         settle();
         assertEquals(FunctionDrawing.FunctionEnding.ENDED, model.state().drawing().ending());
         assertEquals(model.last(), model.step());
+    }
+
+    @Test
+    void anAnswerThatCannotBeDrawnIsNoRefusal() {
+        model.chooseMethod("cubic-textbook");
+        for (Hazard<SplineProblem> hazard : model.hazards())
+            if (hazard.name().equals("equal-knots")) model.show(hazard.input());
+        settle();
+        FunctionDrawing drawing = model.state().drawing();
+        assertEquals(FunctionDrawing.FunctionEnding.UNDRAWABLE, drawing.ending());
+        assertTrue(drawing.graph().isEmpty());
+        assertFalse(drawing.message().isEmpty());
     }
 
     @ParameterizedTest(name = "ends are not kept: {0}")
