@@ -77,13 +77,9 @@ final class CaseRun {
      * @return the cases in which an answer differs from the first
      */
     List<CaseTrial> repeat(List<CaseTrial> cases) throws ChildLost, InterruptedException {
-        List<TriedCall> all = new ArrayList<>();
-        for (CaseTrial tried : cases)
-            for (TriedCall call : tried.calls()) if (call.answer().isPresent()) all.add(call);
-        Collections.shuffle(all, new Random(~seed));
         Map<TriedCall, TriedCall> differing = new IdentityHashMap<>();
         student.beginAnew();
-        for (TriedCall first : all) {
+        for (TriedCall first : answered(cases)) {
             if (student.over().isPresent()) break;
             TriedCall second = student.call(first.call());
             if (second.answer().isPresent()) repeated.add(first.call());
@@ -94,6 +90,15 @@ final class CaseRun {
             if (tried.calls().stream().anyMatch(differing::containsKey))
                 changed.put(tried.one(), tried.with(differing));
         return List.copyOf(changed.values());
+    }
+
+    /** The calls that were answered, in the order in which they are asked once more. */
+    List<TriedCall> answered(List<CaseTrial> cases) {
+        List<TriedCall> all = new ArrayList<>();
+        for (CaseTrial tried : cases)
+            for (TriedCall call : tried.calls()) if (call.answer().isPresent()) all.add(call);
+        Collections.shuffle(all, new Random(~seed));
+        return all;
     }
 
     /** The calls that were answered both times, in the order of the second. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import rasterlab.exercises.runner.process.ChildJars;
 import rasterlab.exercises.runner.process.JavaImages;
 import rasterlab.exercises.runner.process.Launcher;
@@ -37,6 +38,23 @@ record ChildJava(Map<ChildKind, Path> homes, Optional<JavaImages> images, Messag
         return running(Message.of("isolation.image-off"));
     }
 
+    /** The running JDK, as long as images are made. */
+    static ChildJava untilImages() {
+        return running(Message.of("isolation.image-making"));
+    }
+
+    /** Whether there would be images, but takes the time to make one first. */
+    static boolean isToBeMade(JudgeSettings settings, Launcher launcher, ChildJars jars) {
+        if (settings.images().isEmpty() || !JavaImages.canMake()) return false;
+        JavaImages images = new JavaImages(settings.images().get(), launcher, jars);
+        return !Stream.of(ChildKind.values())
+                .allMatch(kind -> images.has(nameOf(kind), kind.modules()));
+    }
+
+    private static String nameOf(ChildKind kind) {
+        return kind.name().toLowerCase(Locale.ROOT);
+    }
+
     /** Images in the folder that the settings name; the running JDK where there can be none. */
     static ChildJava found(JudgeSettings settings, Launcher launcher, ChildJars jars) {
         if (settings.images().isEmpty()) return running();
@@ -55,8 +73,7 @@ record ChildJava(Map<ChildKind, Path> homes, Optional<JavaImages> images, Messag
         String contract = jars.contract().toString();
         for (ChildKind kind : ChildKind.values()) {
             List<String> trial = kind.arguments(harness, contract, true);
-            String name = kind.name().toLowerCase(Locale.ROOT);
-            homes.put(kind, images.home(name, kind.modules(), trial));
+            homes.put(kind, images.home(nameOf(kind), kind.modules(), trial));
         }
         return new ChildJava(homes, Optional.of(images), Message.NONE);
     }

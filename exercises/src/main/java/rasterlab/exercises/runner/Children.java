@@ -1,5 +1,6 @@
 package rasterlab.exercises.runner;
 
+import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.EnumMap;
@@ -23,7 +24,9 @@ final class Children implements AutoCloseable {
     private static final Map<ChildKind, Integer> RESERVE =
             reserve(Runtime.getRuntime().availableProcessors());
 
-    private final Box box;
+    private static final System.Logger LOG = System.getLogger(Children.class.getName());
+
+    private Box box;
     private final Launcher launcher;
     private final boolean spares;
     private final Map<ChildKind, Deque<Child>> waiting = new EnumMap<>(ChildKind.class);
@@ -85,13 +88,36 @@ final class Children implements AutoCloseable {
     }
 
     /** Starts what is missing in the reserve; does not wait until it is ready. */
-    synchronized void refill() {
+    void refill() {
+        for (ChildKind kind : ChildKind.values()) refill(kind);
+    }
+
+    /** Starts what is missing of one kind. */
+    private synchronized void refill(ChildKind kind) {
         if (!spares || closed) return;
-        RESERVE.forEach(
-                (kind, wanted) -> {
-                    while (waiting.get(kind).size() < wanted)
-                        waiting.get(kind).add(start(kind, true));
-                });
+        Deque<Child> reserve = waiting.get(kind);
+        while (reserve.size() < RESERVE.get(kind)) reserve.add(start(kind, true));
+    }
+
+    /** Starts children in that box from now on; those in use go on as they are. */
+    void moveTo(Box other) {
+        List<Child> unused;
+        synchronized (this) {
+            box = other;
+            unused = waiting.values().stream().flatMap(Deque::stream).toList();
+            waiting.values().forEach(Deque::clear);
+        }
+        unused.forEach(Child::close);
+        topUp(ChildKind.values());
+    }
+
+    /** Refills what gradings need next; that it fails must not take anybody's report away. */
+    void topUp(ChildKind... kinds) {
+        try {
+            for (ChildKind kind : kinds) refill(kind);
+        } catch (UncheckedIOException cannotStart) {
+            LOG.log(System.Logger.Level.WARNING, "no child can be kept in reserve", cannotStart);
+        }
     }
 
     synchronized int living() {

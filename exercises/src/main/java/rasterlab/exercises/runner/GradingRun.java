@@ -17,6 +17,7 @@ import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.marking.Marking;
+import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.runner.process.TimeLimit;
 import rasterlab.exercises.runner.scan.AllowList;
@@ -110,19 +111,35 @@ final class GradingRun {
         CaseRun cases = new CaseRun(exercise, topic, selection.seed(), student);
         Marking marking = new Marking(exercise);
         Optional<Finding> unloaded = student.load();
+        children.topUp(ChildKind.RUN);
         for (Case one : selected(exercise, selection))
             progress.accept(
                     marking.add(
                             unloaded.isPresent()
                                     ? untried(marking, one, unloaded.get())
                                     : cases.tryOut(one)));
-        List<CaseTrial> differing = cases.repeat(marking.cases());
-        differing.forEach(marking::put);
+        Optional<Models.Model> model = model(student, children, marking);
+        List<GradedCall> again =
+                cases.answered(marking.cases()).stream().map(TriedCall::call).toList();
+        Optional<CallsBeside> beside =
+                model.map(one -> student(one.entry(), one.classes(), children))
+                        .map(reference -> new CallsBeside(reference, again));
+        try {
+            List<CaseTrial> differing = cases.repeat(marking.cases());
+            differing.forEach(marking::put);
+            return report(cases, marking, differing, speed(student, model, beside, cases, marking));
+        } finally {
+            beside.ifPresent(CallsBeside::close);
+            beside.map(CallsBeside::reference).ifPresent(Student::close);
+        }
+    }
+
+    private Report report(
+            CaseRun cases,
+            Marking marking,
+            List<CaseTrial> differing,
+            SpeedTrial.SpeedOutcome speed) {
         List<CaseReport> reports = marking.reports();
-        SpeedTrial.SpeedOutcome speed =
-                student.over().isPresent() || !aboveFloor(reports, marking.withheld())
-                        ? SpeedTrial.SpeedOutcome.none(tooInaccurate())
-                        : speed(student, children, cases.repeated(), marking);
         CaseReport speedReport = report(speed);
         progress.accept(speedReport);
         List<Diagnostic> said = new ArrayList<>();
@@ -132,6 +149,21 @@ final class GradingRun {
         said.addAll(cases.printed());
         double nanos = speed.unsettled() ? 0 : speed.nanosPerPixel();
         return sheet.graded(reports, marking.withheld(), speedReport, said, nanos).with(figures);
+    }
+
+    /**
+     * The program that the method's speed is held against; empty where it is not measured, or
+     * cannot be.
+     */
+    private Optional<Models.Model> model(Student student, Children children, Marking marking)
+            throws ChildLost, InterruptedException {
+        return settings.speed() == JudgeSettings.Speed.MEASURED && earnsSpeed(student, marking)
+                ? models.of(exercise, topic, children, settings)
+                : Optional.empty();
+    }
+
+    private boolean earnsSpeed(Student student, Marking marking) {
+        return student.over().isEmpty() && aboveFloor(marking.reports(), marking.withheld());
     }
 
     /** The first case tells why the method cannot be loaded. */
@@ -197,24 +229,29 @@ final class GradingRun {
         return earned >= SpeedPoints.ACCURACY_FLOOR * possible;
     }
 
-    /** A method that is stopped while it is timed loses the points for speed only. */
+    /**
+     * A method that is stopped while it is timed loses the points for speed only. Before, the
+     * reference has drawn what the method has repeated, so that Java knows both equally well.
+     */
     private SpeedTrial.SpeedOutcome speed(
-            Student student, Children children, List<GradedCall> before, Marking marking)
+            Student student,
+            Optional<Models.Model> model,
+            Optional<CallsBeside> beside,
+            CaseRun cases,
+            Marking marking)
             throws ChildLost, InterruptedException {
+        if (!earnsSpeed(student, marking)) return SpeedTrial.SpeedOutcome.none(tooInaccurate());
         try {
-            if (settings.speed() == JudgeSettings.Speed.OFF)
-                return SpeedTrial.SpeedOutcome.none(SpeedTrial.UNSETTLED);
             if (settings.speed() == JudgeSettings.Speed.ONCE)
-                return trial(student, student, before, marking).once();
-            Optional<Models.Model> model = models.of(exercise, topic, children, settings);
-            if (model.isEmpty()) return SpeedTrial.SpeedOutcome.none(SpeedTrial.UNSETTLED);
-            try (Student reference =
-                    student(model.get().entry(), model.get().classes(), children)) {
-                SpeedTrial trial = trial(student, reference, before, marking);
-                SpeedTrial.SpeedOutcome outcome = trial.measure();
-                figures = figures(outcome, trial, model.get(), marking);
-                return outcome;
-            }
+                return trial(student, student, cases.repeated(), false, marking).once();
+            if (model.isEmpty() || beside.isEmpty())
+                return SpeedTrial.SpeedOutcome.none(SpeedTrial.UNSETTLED);
+            Student reference = beside.get().reference();
+            boolean begun = beside.get().areOf(student);
+            SpeedTrial trial = trial(student, reference, cases.repeated(), begun, marking);
+            SpeedTrial.SpeedOutcome outcome = trial.measure();
+            figures = figures(outcome, trial, model.get(), marking);
+            return outcome;
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;
             return SpeedTrial.SpeedOutcome.none(
@@ -225,7 +262,11 @@ final class GradingRun {
     }
 
     private SpeedTrial trial(
-            Student student, Student reference, List<GradedCall> before, Marking marking) {
+            Student student,
+            Student reference,
+            List<GradedCall> before,
+            boolean begun,
+            Marking marking) {
         return new SpeedTrial(
                 contract,
                 exercise.caps(),
@@ -234,6 +275,7 @@ final class GradingRun {
                 student,
                 reference,
                 before,
+                begun,
                 marking.charged(),
                 settings.patience());
     }

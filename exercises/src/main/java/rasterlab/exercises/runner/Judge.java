@@ -1,10 +1,13 @@
 package rasterlab.exercises.runner;
 
 import java.io.UncheckedIOException;
+import java.time.Duration;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BiPredicate;
 import java.util.function.Consumer;
 import rasterlab.engine.study.NoAnswer;
 import rasterlab.exercises.Exercise;
@@ -12,6 +15,7 @@ import rasterlab.exercises.Grading;
 import rasterlab.exercises.predicting.SheetGrading;
 import rasterlab.exercises.runner.process.ChildJars;
 import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.Daemons;
 import rasterlab.exercises.runner.process.Launcher;
 import rasterlab.exercises.runner.scan.AllowList;
 import rasterlab.exercises.score.CaseReport;
@@ -27,18 +31,21 @@ import rasterlab.exercises.score.Report;
  */
 public final class Judge implements Grading, AutoCloseable {
     private static final int TRIES = 2;
-    private static final System.Logger LOG = System.getLogger(Judge.class.getName());
+
+    /** A time longer than it takes to end a program and to remove a folder. */
+    private static final Duration PATIENCE = Duration.ofSeconds(10);
 
     private final JudgeSettings settings;
     private final ChildJars jars;
     private final Launcher launcher;
-    private final Box box;
+    private volatile Box box;
     private final Children children;
     private final SpeedMemory memory;
     private final Compiling compiling;
     private final Models models = new Models();
     private final AtomicBoolean released = new AtomicBoolean();
     private final Thread atExit;
+    private volatile Optional<Thread> making = Optional.empty();
 
     Judge(
             JudgeSettings settings,
@@ -86,12 +93,41 @@ public final class Judge implements Grading, AutoCloseable {
 
     /** Starts a judge with another compiler than the child, for sources that can do it no harm. */
     static Judge start(JudgeSettings settings, SpeedMemory memory, Compiling compiling) {
+        return start(settings, memory, compiling, (launcher, jars) -> false, isolation -> {});
+    }
+
+    /**
+     * Starts a judge that grades at once: where images of Java have to be made first, children run
+     * on the running JDK until they are there.
+     *
+     * @param changed is told the isolation when it has become another
+     */
+    public static Judge startAtOnce(
+            JudgeSettings settings, SpeedMemory memory, Consumer<Isolation> changed) {
+        return start(
+                settings,
+                memory,
+                Compiling::inAChild,
+                (launcher, jars) -> ChildJava.isToBeMade(settings, launcher, jars),
+                changed);
+    }
+
+    private static Judge start(
+            JudgeSettings settings,
+            SpeedMemory memory,
+            Compiling compiling,
+            BiPredicate<Launcher, ChildJars> isLater,
+            Consumer<Isolation> changed) {
         ChildJars jars = ChildJars.assemble();
         Launcher launcher = new Launcher(jars);
         try {
-            ChildJava java = ChildJava.found(settings, launcher, jars);
+            boolean later = isLater.test(launcher, jars);
+            ChildJava java =
+                    later ? ChildJava.untilImages() : ChildJava.found(settings, launcher, jars);
             Box box = BoxChoice.on(launcher, jars, java).choose(settings.box());
-            return prepared(new Judge(settings, jars, launcher, box, memory, compiling));
+            Judge judge = prepared(new Judge(settings, jars, launcher, box, memory, compiling));
+            if (later) judge.makeImages(changed);
+            return judge;
         } catch (RuntimeException cannotStart) {
             launcher.close();
             jars.close();
@@ -106,6 +142,30 @@ public final class Judge implements Grading, AutoCloseable {
         } catch (RuntimeException cannotStart) {
             judge.close();
             throw cannotStart;
+        }
+    }
+
+    private void makeImages(Consumer<Isolation> changed) {
+        Thread maker = Daemons.named("rasterlab-images").newThread(() -> moveToImages(changed));
+        making = Optional.of(maker);
+        maker.start();
+    }
+
+    private void moveToImages(Consumer<Isolation> changed) {
+        try {
+            ChildJava java = ChildJava.found(settings, launcher, jars);
+            Box other = BoxChoice.on(launcher, jars, java).choose(settings.box());
+            if (released.get()) return;
+            box = other;
+            children.moveTo(other);
+            changed.accept(other.isolation());
+        } catch (RuntimeException failure) {
+            if (!released.get())
+                System.getLogger(Judge.class.getName())
+                        .log(
+                                System.Logger.Level.WARNING,
+                                "children stay on the running JDK",
+                                failure);
         }
     }
 
@@ -143,7 +203,7 @@ public final class Judge implements Grading, AutoCloseable {
         try {
             return withRetry(() -> run.run(children, compiling), sheet);
         } finally {
-            refill();
+            children.topUp(ChildKind.values());
         }
     }
 
@@ -158,15 +218,6 @@ public final class Judge implements Grading, AutoCloseable {
                         settings, exercise, SourceText.withoutMark(sent), children, models);
         made.compile(compiling);
         return made;
-    }
-
-    /** Prepares the next grading; that it fails must not take this one's report away. */
-    private void refill() {
-        try {
-            children.refill();
-        } catch (UncheckedIOException cannotStart) {
-            LOG.log(System.Logger.Level.WARNING, "no child can be kept in reserve", cannotStart);
-        }
     }
 
     /** One try to grade. */
@@ -208,9 +259,20 @@ public final class Judge implements Grading, AutoCloseable {
         }
     }
 
+    /** Has an image that is being made given up, and what there is of it removed. */
+    private static void stop(Thread maker) {
+        maker.interrupt();
+        try {
+            maker.join(PATIENCE.toMillis());
+        } catch (InterruptedException hurried) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     /** Releases the child; false when that was done before. */
     private boolean release() {
         if (released.getAndSet(true)) return false;
+        making.ifPresent(Judge::stop);
         children.close();
         launcher.close();
         jars.close();

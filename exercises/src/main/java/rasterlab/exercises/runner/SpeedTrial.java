@@ -4,10 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.function.UnaryOperator;
 import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.engine.study.measuring.RoundPlan;
@@ -16,7 +12,6 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.GradedCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.runner.process.ChildLost;
-import rasterlab.exercises.runner.process.Daemons;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.SpeedPoints;
@@ -54,6 +49,7 @@ final class SpeedTrial {
     private final Set<String> charged;
     private final Patience patience;
     private final Pace pace = new Pace();
+    private boolean begun;
     private boolean printed;
     private Optional<TopicGrading.TimingInputs> last = Optional.empty();
 
@@ -63,6 +59,7 @@ final class SpeedTrial {
      * @param timings what they are timed on, not known to the student, so that nothing can be
      *     computed beforehand
      * @param words the key of a text in the topic's words
+     * @param begun whether fresh children of both have just drawn the same
      * @param charged codes of mistakes that cost points already, and cost none here
      * @param patience tells whether the machine is busy
      */
@@ -74,6 +71,7 @@ final class SpeedTrial {
             Student student,
             Student reference,
             List<GradedCall> before,
+            boolean begun,
             Set<String> charged,
             Patience patience) {
         this.contract = contract;
@@ -83,6 +81,7 @@ final class SpeedTrial {
         this.student = student;
         this.reference = reference;
         this.before = List.copyOf(before.subList(0, Math.min(MOST_BEFORE, before.size())));
+        this.begun = begun;
         this.charged = charged;
         this.patience = patience;
     }
@@ -169,7 +168,8 @@ final class SpeedTrial {
 
     /** Why nothing can be measured; empty where something was. */
     private Optional<Message> tried() throws ChildLost, InterruptedException {
-        beginBoth();
+        if (!begun) beginBoth();
+        begun = false;
         var warmUp = new Pace.WarmUp(WARM_UP_NANOS);
         long start = System.nanoTime();
         int counted = 0;
@@ -194,27 +194,12 @@ final class SpeedTrial {
         return Optional.empty();
     }
 
-    /** Both draw the same in fresh children, at the same time where there are two processors. */
+    /** Both draw the same in fresh children. */
     private void beginBoth() throws ChildLost, InterruptedException {
-        ExecutorService beside = Executors.newSingleThreadExecutor(Daemons.named("rasterlab-pace"));
-        try {
-            Future<Void> other = beside.submit(() -> begun(reference));
-            begun(student);
-            other.get();
-        } catch (ExecutionException failed) {
-            Throwable cause = failed.getCause();
-            if (cause instanceof ChildLost lost) throw lost;
-            if (cause instanceof InterruptedException interrupted) throw interrupted;
-            throw new IllegalStateException("the reference cannot be called", cause);
-        } finally {
-            beside.shutdownNow();
+        try (var beside = new CallsBeside(reference, before)) {
+            CallsBeside.make(student, before);
+            beside.await();
         }
-    }
-
-    private Void begun(Student one) throws ChildLost, InterruptedException {
-        one.beginAnew();
-        for (GradedCall call : before) one.call(call);
-        return null;
     }
 
     /** Has each input answered alone, within the time that the exercise states for it. */

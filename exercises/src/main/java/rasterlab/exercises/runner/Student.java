@@ -42,6 +42,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
     private Duration spent = Duration.ZERO;
     private Duration spentAside = Duration.ZERO;
     private int stops;
+    private int answered;
 
     /** A child and what it answered to the classes. */
     private record Loaded(Child child, StudentRun run) {}
@@ -89,6 +90,13 @@ final class Student implements AutoCloseable, Shrinking.Asking {
     }
 
     /**
+     * The number of calls that the child as it is has answered; none where the last was stopped.
+     */
+    int answered() {
+        return loaded.isEmpty() ? 0 : answered;
+    }
+
+    /**
      * Starts a child and loads the classes.
      *
      * @return why that fails; empty where it does not
@@ -104,6 +112,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
 
     private Optional<Finding> loadOnce() throws ChildLost, InterruptedException {
         close();
+        answered = 0;
         Child child = children.takeReady(ChildKind.RUN, settings.patience().limit(START_LIMIT));
         StudentRun run = new StudentRun(child, contract, settings.callLimit(), settings.patience());
         loaded = Optional.of(new Loaded(child, run));
@@ -159,6 +168,7 @@ final class Student implements AutoCloseable, Shrinking.Asking {
         Duration before = run.used();
         Answer answer = run.call(call, call.caps().within(caps));
         spent = spent.plus(run.used()).minus(before);
+        answered++;
         if (run.over()) {
             stops++;
             close();

@@ -10,6 +10,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
@@ -116,6 +118,37 @@ class ImageTest {
             assertTrue(said.contains("run on the whole JDK, as the image"), said);
             assertEquals(GradingVerdict.OK, verdict(judge));
         }
+    }
+
+    @Test
+    @DisplayName("nothing is graded as long as images are made, or their Java is never taken")
+    void gradesMeanwhileOnTheJdk() throws Exception {
+        JudgeSettings settings = JudgeSettings.defaults().withImages(folder.resolve("images"));
+        var images = new CompletableFuture<Isolation>();
+        try (Judge judge = Judge.startAtOnce(settings, SpeedMemory.ofProcess(), images::complete)) {
+            Isolation before = judge.isolation();
+            assertFalse(before.exam());
+            String said = before.describe("en");
+            assertTrue(said.contains("until the image of its needed modules is made"), said);
+            assertEquals(GradingVerdict.OK, verdict(judge));
+            assertEquals(images.get(3, TimeUnit.MINUTES), judge.isolation());
+            assertFalse(lacks(judge, "missing.image-making", "missing.image-fails"));
+            assertEquals(GradingVerdict.OK, verdict(judge));
+        }
+        try (Judge judge = Judge.startAtOnce(settings, SpeedMemory.ofProcess(), one -> {})) {
+            assertFalse(lacks(judge, "missing.image-making"), "what is there is made again");
+        }
+    }
+
+    @Test
+    @DisplayName("a judge that is closed as images are made leaves half of one")
+    void leavesNoHalfImage() throws Exception {
+        Path images = folder.resolve("images");
+        JudgeSettings settings = JudgeSettings.defaults().withImages(images);
+        try (Judge judge = Judge.startAtOnce(settings, SpeedMemory.ofProcess(), one -> {})) {
+            assertTrue(lacks(judge, "missing.image-making"), judge.isolation()::toString);
+        }
+        assertEquals(List.of(), Files.exists(images) ? left(images, "making-") : List.of());
     }
 
     @Test

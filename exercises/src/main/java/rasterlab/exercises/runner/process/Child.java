@@ -53,6 +53,7 @@ public final class Child implements AutoCloseable {
     private final ProcessorTime processorTime;
     private final SecureRandom nonces = new SecureRandom();
     private volatile String complaint = "";
+    private Optional<Duration> answered = Optional.empty();
     private long nonce;
 
     /**
@@ -98,9 +99,12 @@ public final class Child implements AutoCloseable {
         return complaint;
     }
 
-    /** Processor time used so far; empty where the system does not tell. */
+    /**
+     * Processor time used until the last answer, and until now where there was none yet; empty
+     * where the system does not tell. What runs on beside an answer counts with the next one.
+     */
     public Optional<Duration> used() {
-        return processorTime.used();
+        return answered.or(processorTime::used);
     }
 
     /** Asks the child with a limit of wall time alone. */
@@ -154,10 +158,14 @@ public final class Child implements AutoCloseable {
         Duration wait = limit.processor();
         while (true) {
             byte[] frame = frames.poll(wait.toNanos(), TimeUnit.NANOSECONDS);
-            if (frame != null) return frame;
+            if (frame != null) {
+                answered = processorTime.used();
+                return frame;
+            }
             if (threads.isShutdown()) throw closedByOurselves();
             Duration passed = Duration.ofNanos(System.nanoTime() - start);
-            Duration used = used().map(now -> now.minus(before.orElse(now))).orElse(passed);
+            Duration used =
+                    processorTime.used().map(now -> now.minus(before.orElse(now))).orElse(passed);
             Duration left = limit.processor().minus(used);
             Duration wallLeft = limit.wall().minus(passed);
             if (left.compareTo(LOOK) < 0 || wallLeft.isNegative() || wallLeft.isZero()) {

@@ -83,6 +83,20 @@ public final class JavaImages {
     }
 
     /**
+     * Whether an image is there already.
+     *
+     * @param name of the kind of children
+     */
+    public boolean has(String name, List<String> modules) {
+        return Files.isDirectory(place(name, modules));
+    }
+
+    private Path place(String name, List<String> modules) {
+        String whole = name + "-" + Integer.toHexString(modules.hashCode());
+        return folder.resolve(PREFIX + build).resolve(whole);
+    }
+
+    /**
      * The home folder of an image, which is made where it is missing.
      *
      * @param name of the kind of children
@@ -91,8 +105,7 @@ public final class JavaImages {
      * @throws IOException when it cannot be made; nothing is left behind then
      */
     public Path home(String name, List<String> modules, List<String> trial) throws IOException {
-        String whole = name + "-" + Integer.toHexString(modules.hashCode());
-        Path home = folder.resolve(PREFIX + build).resolve(whole);
+        Path home = place(name, modules);
         if (Files.isDirectory(home)) return home;
         synchronized (MAKING) {
             Files.createDirectories(folder);
