@@ -240,7 +240,7 @@ class Server(
     private val trialDesk = TrialDesk(StaffCopies(database, clock), submissions, exercises, copied, queue::ring)
     private val exams = Exams(database, steady)
     private val sittings = Sittings(database, exercises, intake, steady, queue::ring)
-    private val lti = Lti(database, accounts, courses, exercises, settings.publicAddress, clock, steady)
+    private val lti = Lti(database, accounts, courses, exercises, settings.publicAddress, clock, steady, settings.name)
     private val pageParts =
         PageParts(
             accounts,

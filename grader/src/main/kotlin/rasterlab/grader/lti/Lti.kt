@@ -13,6 +13,7 @@ import java.time.InstantSource
  * @param publicAddress of this server as browsers have it; null where each request tells it
  * @param wall the clock that people and platforms are told
  * @param steady the clock of what is due after a while
+ * @param name of this server, which no other has that uses the database
  */
 class Lti(
     database: Database,
@@ -22,6 +23,7 @@ class Lti(
     val publicAddress: URI?,
     wall: InstantSource,
     steady: InstantSource,
+    name: String,
 ) {
     val platforms = Platforms(database, wall)
     val key = ToolKey(database)
@@ -30,5 +32,5 @@ class Lti(
     val arrivals = Arrivals(database, accounts, courses, exercises, bindings, platforms, wall)
     val deepLinks = DeepLinks(platforms, key, wall)
     val states = ScoreStates(database, wall, steady)
-    val sender = ScoreSender(database, platforms, key, exercises, wall, steady)
+    val sender = ScoreSender(database, platforms, key, exercises, wall, steady, name)
 }

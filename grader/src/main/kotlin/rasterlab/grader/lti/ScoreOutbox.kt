@@ -3,8 +3,9 @@ package rasterlab.grader.lti
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
-import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
+import rasterlab.grader.submission.Lease
+import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Marks
 import java.sql.ResultSet
 import java.time.Duration
@@ -40,6 +41,7 @@ internal class DueScore(
  *
  * @param wall the clock that platforms are told
  * @param steady the clock of what is due after a while
+ * @param holder the name of this server, which no other has that uses the database now
  */
 internal class ScoreOutbox(
     private val database: Database,
@@ -47,6 +49,7 @@ internal class ScoreOutbox(
     private val exercises: Exercises,
     private val wall: InstantSource,
     private val steady: InstantSource,
+    private val holder: String = Leases.ONE_SERVER,
 ) {
     private class Standing(
         val link: String,
@@ -110,16 +113,26 @@ internal class ScoreOutbox(
             .execute()
     }
 
-    /** Takes at most [most] of what is due, those that wait longest first, for a while. */
+    /**
+     * Gives back what an earlier server left when it ended, for one that starts: all where no other can use the database,
+     * and else what one of this name had.
+     */
+    fun releaseLeft() {
+        val release = "UPDATE lti_scores SET lease = NULL, lease_until = NULL WHERE lease IS NOT NULL"
+        database.write { if (database.isShared) Lease.releaseHeld(it, release, holder) else it.execute(release) }
+    }
+
+    /** Takes at most [most] of what is due and nobody sends who still lives, those that wait longest first, for a while. */
     fun claim(most: Int): List<DueScore> {
         val now = steady.instant()
         if (!anyDue(now)) return emptyList()
         return database.write { handle ->
-            val lease = Secrets.newId()
+            val lease = Lease.newToken(holder)
             val taken =
                 handle
                     .createQuery("$DUE ORDER BY s.due_at, s.link_id, s.student_id LIMIT $most")
                     .bind("now", now.text())
+                    .bind("silent", (now - Leases.LENGTH).text())
                     .map { row, _ -> due(row, lease) }
                     .list()
             for (one in taken) {
@@ -293,12 +306,17 @@ internal class ScoreOutbox(
         fun pause(tries: Int): Duration =
             minOf(FIRST_PAUSE.multipliedBy(1L shl minOf(tries, MOST_DOUBLINGS)), LONGEST_PAUSE)
 
+        /** A lease begins with the name of the server that has it, which is silent for too long. */
+        private const val LOST =
+            """EXISTS (SELECT 1 FROM workers WHERE seen_at < :silent
+                   AND substr(s.lease, 1, length(workers.name) + 1) = workers.name || ' ')"""
+
         private const val DUE =
             """SELECT s.*, p.platform_id, p.subject FROM lti_scores s
                JOIN lti_links l ON l.id = s.link_id
                JOIN lti_contexts c ON c.platform_id = l.platform_id AND c.context = l.context
                JOIN lti_students p ON p.student_id = s.student_id AND p.platform_id = l.platform_id
                    AND p.course_id = c.course_id
-               WHERE s.due_at <= :now AND (s.lease_until IS NULL OR s.lease_until <= :now)"""
+               WHERE s.due_at <= :now AND (s.lease_until IS NULL OR s.lease_until <= :now OR $LOST)"""
     }
 }

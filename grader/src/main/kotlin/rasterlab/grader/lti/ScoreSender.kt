@@ -3,6 +3,7 @@ package rasterlab.grader.lti
 import org.slf4j.LoggerFactory
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
+import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Marks
 import java.time.Duration
 import java.time.InstantSource
@@ -15,6 +16,7 @@ import java.util.concurrent.TimeUnit
  *
  * @param wall the clock that platforms are told
  * @param steady the clock of what is due after a while
+ * @param holder the name of this server, which no other has that uses the database now
  */
 class ScoreSender(
     database: Database,
@@ -23,14 +25,16 @@ class ScoreSender(
     private val exercises: Exercises,
     wall: InstantSource,
     steady: InstantSource,
+    holder: String = Leases.ONE_SERVER,
 ) : AutoCloseable {
     private val log = LoggerFactory.getLogger(javaClass)
-    private val outbox = ScoreOutbox(database, Marks(database), exercises, wall, steady)
+    private val outbox = ScoreOutbox(database, Marks(database), exercises, wall, steady, holder)
     private val calls = PlatformCalls(key, steady)
     private val turns = Executors.newSingleThreadScheduledExecutor { Thread(it, "scores").apply { isDaemon = true } }
     private var failing = false
+    private var isTakenUp = false
 
-    /** Sends from now on what changes, until [close]. */
+    /** Sends from now on what changes, until [close], and first what an earlier server of this name had begun to send. */
     fun start() {
         turns.scheduleWithFixedDelay(::tryTurn, 0, PAUSE.toMillis(), TimeUnit.MILLISECONDS)
     }
@@ -90,6 +94,8 @@ class ScoreSender(
     // The scheduled executor would never call again after an exception.
     private fun tryTurn() {
         try {
+            if (!isTakenUp) outbox.releaseLeft()
+            isTakenUp = true
             turn()
             failing = false
         } catch (failure: Exception) {

@@ -50,6 +50,9 @@ class LocalPlatform : AutoCloseable {
     var toolKeys: () -> JWKSet = { error("the platform has not read the tool's keys") }
     var status = 200
     val taken = CopyOnWriteArrayList<Taken>()
+
+    /** Done for each score that was taken. */
+    var onScore = {}
     val lineItems = CopyOnWriteArrayList<String>()
     val leaves = CopyOnWriteArrayList<String>()
 
@@ -166,7 +169,10 @@ class LocalPlatform : AutoCloseable {
         val body = requestBody.readBytes().decodeToString()
         val isScore = requestHeaders.getFirst("Content-Type").startsWith("application/vnd.ims.lis.v1.score+json")
         if (!isScore) return json(415, "{}")
-        if (status in 200..299) taken += Taken("$requestURI", Json.parseToJsonElement(body).jsonObject)
+        if (status in 200..299) {
+            taken += Taken("$requestURI", Json.parseToJsonElement(body).jsonObject)
+            onScore()
+        }
         json(status, "{}")
     }
 

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.score.Message
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer
@@ -24,11 +25,16 @@ import rasterlab.grader.postgres.OnPostgres
 import rasterlab.grader.sendForm
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
+import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Marks
+import rasterlab.grader.worker.Worker
+import rasterlab.grader.worker.Workers
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
 import java.time.InstantSource
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
 
 /** Points go to the platform, each change once, whatever is away or ends meanwhile. */
 @Tag("slow")
@@ -67,11 +73,18 @@ open class ScoresTest {
     }
 
     /** Does what a server does by itself; a new one each time, as after a restart. */
-    private fun Visit.turn() {
-        val platforms = Platforms(database, clock)
-        val exercises = Exercises(listOf(Classroom.EXERCISE))
-        ScoreSender(database, platforms, ToolKey(database), exercises, clock, clock).use { it.turn() }
-    }
+    private fun Visit.turn() = sender().use { it.turn() }
+
+    private fun Visit.sender(holder: String = Leases.ONE_SERVER) =
+        ScoreSender(
+            database,
+            Platforms(database, clock),
+            ToolKey(database),
+            Exercises(listOf(Classroom.EXERCISE)),
+            clock,
+            clock,
+            holder,
+        )
 
     /** A submission that was graded so. */
     private fun Visit.graded(
@@ -272,6 +285,51 @@ open class ScoresTest {
         }
 
     @Test
+    @DisplayName("a score waits as long for a server that was killed as for one that sends it")
+    fun whatADeadServerHadIsSentSoon() =
+        room { platform ->
+            val workers = Workers(database, clock, Leases.LENGTH)
+            workers.begin(Worker("other", "host", serves = true, Message.NONE, slots = 1))
+            graded(4)
+            outbox("other").run {
+                notice()
+                assertEquals(1, claim(10).size)
+            }
+            now += Leases.LENGTH
+            turn()
+            assertEquals(emptyList<String>(), platform.points())
+            now += Duration.ofMillis(1)
+            turn()
+            assertEquals(listOf("4"), platform.points())
+        }
+
+    @Test
+    @DisplayName("a server that was killed while it sent a score does not send it when it starts again")
+    fun whatItHadItselfIsSentAtTheStart() =
+        room { platform ->
+            graded(4)
+            outbox("first").run {
+                notice()
+                assertEquals(1, claim(10).size)
+            }
+            outbox("second").run {
+                releaseLeft()
+                assertEquals(if (database.isShared) 0 else 1, claim(10).size)
+            }
+            outbox("first").run {
+                releaseLeft()
+                assertEquals(1, claim(10).size)
+            }
+            val taken = CompletableFuture<Unit>()
+            platform.onScore = { taken.complete(Unit) }
+            sender("first").use {
+                it.start()
+                taken.get(1, TimeUnit.MINUTES)
+            }
+            assertEquals(listOf("4"), platform.points())
+        }
+
+    @Test
     @DisplayName("a link without a line item gets none, or another one each time")
     fun aLineItemIsMadeOnce() =
         room(noItem = true) { platform ->
@@ -293,9 +351,7 @@ open class ScoresTest {
     @DisplayName("a leave that the platform has ended keeps scores from being sent")
     fun aLeaveIsRenewed() =
         room { platform ->
-            val platforms = Platforms(database, clock)
-            val exercises = Exercises(listOf(Classroom.EXERCISE))
-            ScoreSender(database, platforms, ToolKey(database), exercises, clock, clock).use { sender ->
+            sender().use { sender ->
                 graded(4)
                 sender.turn()
                 platform.leaves.clear()
@@ -322,13 +378,14 @@ open class ScoresTest {
             assertEquals(1, platform.taken.size)
         }
 
-    private fun Visit.outbox() =
+    private fun Visit.outbox(holder: String = Leases.ONE_SERVER) =
         ScoreOutbox(
             database,
             Marks(database),
             Exercises(listOf(Classroom.EXERCISE)),
             clock,
             clock,
+            holder,
         )
 
     private fun JsonObject.text(field: String) = getValue(field).toString().trim('"')
