@@ -204,7 +204,7 @@ internal class ServeCommand(
                         database,
                         Exercises(catalogue.all(), kept::find),
                         judge,
-                        judge.isolation(),
+                        judge::isolation,
                         settings,
                         stopping = stop::isAsked,
                         children = judge::livingChildren,

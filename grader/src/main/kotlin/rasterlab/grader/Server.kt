@@ -170,7 +170,7 @@ class Server(
     private val database: Database,
     private val exercises: Exercises,
     grading: Grading,
-    private val isolation: Isolation,
+    private val isolation: () -> Isolation,
     private val settings: ServerSettings = ServerSettings(),
     clock: InstantSource = InstantSource.system(),
     private val steady: SteadyClock = SteadyClock(clock),
@@ -212,7 +212,6 @@ class Server(
     private val attempts =
         Attempts(database, leases, exercises, meters.timed(grading), live, meters::waited, stopping)
     private val workers = Workers(database, steady, Leases.LENGTH)
-    private val own = Worker.here(settings.name, serves = true, isolation, settings.workers)
     private val queue =
         GradingQueue(
             database,
@@ -223,7 +222,7 @@ class Server(
             steady,
             settings.workers,
             settings.name,
-            Presence(workers, own),
+            Presence(workers) { Worker.here(settings.name, serves = true, isolation(), settings.workers) },
         )
     private val complaints =
         ComplaintDesk(

@@ -96,7 +96,8 @@ internal class WorkOptions {
     }
 
     /**
-     * The judge of this process, which has the data folder to itself.
+     * The judge of this process, which has the data folder to itself. Where images of Java have to be made first, it
+     * grades without them meanwhile, but for exams.
      *
      * @throws CannotStart where exams are asked for and no image of Java could be made
      */
@@ -105,7 +106,8 @@ internal class WorkOptions {
         memory: SpeedMemory,
     ): Judge {
         val images = javaImages ?: folder.logFile.resolveSibling("cache")
-        val judge = Judge.start(JudgeSettings.defaults().withImages(images), memory)
+        val settings = JudgeSettings.defaults().withImages(images)
+        val judge = if (exam) Judge.start(settings, memory) else Judge.startAtOnce(settings, memory, ::logIsolation)
         val isolation = judge.isolation()
         logIsolation(isolation)
         if (!exam || isolation.exam()) return judge

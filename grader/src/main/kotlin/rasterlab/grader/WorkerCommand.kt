@@ -111,8 +111,10 @@ internal class WorkerCommand(
         val leases = Leases(database, Reports(database), clock, steady, name)
         val exercises = Exercises(Catalogue.builtIn().all(), KeptExercises(database)::find)
         val attempts = Attempts(database, leases, exercises, judge, live, stopping = stop::isAsked)
-        val own = Worker.here(name, serves = false, judge.isolation(), work.workers)
-        val presence = Presence(Workers(database, steady, Leases.LENGTH), own)
+        val presence =
+            Presence(Workers(database, steady, Leases.LENGTH)) {
+                Worker.here(name, serves = false, judge.isolation(), work.workers)
+            }
         return GradingQueue(
             database,
             Submissions(database),

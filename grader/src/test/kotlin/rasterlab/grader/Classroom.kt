@@ -65,6 +65,7 @@ class Classroom(
     private val kept: (String, String) -> Exercise? = { _, _ -> null },
     private val clock: InstantSource = InstantSource.system(),
     private val nanos: () -> Long = System::nanoTime,
+    private val isolation: () -> Isolation = { ISOLATION },
 ) {
     val file: Path = folder.resolve("test.db")
 
@@ -98,7 +99,7 @@ class Classroom(
         TestDatabases.open(folder).use { database ->
             val exercises = Exercises(listOf(exercise) + more, kept)
             val steady = SteadyClock(clock, nanos)
-            Server(database, exercises, grading, ISOLATION, settings, clock, steady).use { server ->
+            Server(database, exercises, grading, isolation, settings, clock, steady).use { server ->
                 val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
                 server.accounts.instructorAnnounced()
                 use(server, database, token)

@@ -51,12 +51,12 @@ fun Route.instructorPages(
     complaints: ComplaintDesk,
     hints: Hints,
     live: Live,
-    isolation: Isolation,
+    isolation: () -> Isolation,
 ) {
     get("/instructor") {
         val who = call.staffHere(accounts)
         val waiting = Waiting(comments.openCounts(), complaints.openCounts())
-        call.respondDesk(who, courses, exercises, submissions, waiting, hints.latest(), isolation)
+        call.respondDesk(who, courses, exercises, submissions, waiting, hints.latest(), isolation())
     }
     get("/instructor/latest") {
         call.staffHere(accounts)

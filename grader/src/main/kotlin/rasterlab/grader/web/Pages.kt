@@ -97,7 +97,7 @@ class PageParts(
     val similar: Similar,
     val live: Live,
     val workers: Workers,
-    val isolation: Isolation,
+    val isolation: () -> Isolation,
     val closed: (Identity) -> Set<String>,
     val clock: InstantSource,
 ) {

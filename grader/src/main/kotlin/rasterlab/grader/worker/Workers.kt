@@ -98,13 +98,17 @@ class Workers(
         }
     }
 
-    /** Notes that one is still here; false where it is not on the list. */
-    fun seen(name: String): Boolean =
+    /** Notes that one is still here, and what shuts its sources in now; false where it is not on the list. */
+    fun seen(worker: Worker): Boolean =
         database.write {
             it
-                .createUpdate("UPDATE workers SET seen_at = :now WHERE name = :name")
-                .bind("now", clock.instant().text())
-                .bind("name", name)
+                .createUpdate(
+                    """UPDATE workers SET seen_at = :now, isolation = :isolation, isolation_data = :data
+                       WHERE name = :name""",
+                ).bind("now", clock.instant().text())
+                .bind("name", worker.name)
+                .bind("isolation", worker.isolation.`in`("en"))
+                .bind("data", worker.isolation.data())
                 .execute() == 1
         }
 

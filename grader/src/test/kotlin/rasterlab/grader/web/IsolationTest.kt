@@ -13,6 +13,8 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.slf4j.LoggerFactory
+import rasterlab.exercises.runner.Isolation
+import rasterlab.exercises.score.Message
 import rasterlab.grader.Classroom
 import rasterlab.grader.CommandWords
 import rasterlab.grader.course.Accounts
@@ -45,6 +47,21 @@ class IsolationTest {
             val russian = client.get("/readyz?lang=ru").bodyAsText()
             assertTrue("missing: bubblewrap (bwrap не найден в PATH)" in russian, russian)
         }
+
+    @Test
+    @DisplayName("the isolation of the start is told when it is another already")
+    fun tellsTheIsolationAsItIsNow() {
+        var now = Classroom.ISOLATION
+        Classroom(folder, isolation = { now }).open(grades = false) {
+            val later = Message.of("missing.image-making")
+            now = Isolation(now.name(), Message.of("isolation.image-making"), listOf(later), false)
+            assertTrue("(it is being made)" in client.get("/readyz").bodyAsText())
+            val accounts = Accounts(database, InstantSource.system())
+            val cookie = "rasterlab=${accounts.open(checkNotNull(accounts.holder(instructor)))}"
+            val page = client.get("/instructor") { header(HttpHeaders.Cookie, cookie) }.bodyAsText()
+            assertTrue("until the image of its needed modules is made" in page, page)
+        }
+    }
 
     @Test
     @DisplayName("one long line tells at the start what is missing")

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.score.Message
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
@@ -63,11 +64,31 @@ class WorkerRoutesTest {
                 listOf("ada" to WorkerState.LOST, "bob" to WorkerState.TAKING),
                 workers.all().map { it.worker.name to it.state },
             )
-            assertTrue(workers.seen("ada"))
+            assertTrue(workers.seen(ada))
             assertEquals(listOf(WorkerState.TAKING, WorkerState.TAKING), workers.all().map { it.state })
             now += Duration.ofDays(1) + Duration.ofSeconds(1)
             workers.begin(ada.copy(name = "cleo"))
             assertEquals(listOf("cleo"), workers.all().map { it.worker.name })
+        }
+
+    @Test
+    @DisplayName("a worker is shown for ever with the isolation of its start, or draining ends when it changes")
+    fun tellsTheIsolationThatThereIsNow() =
+        Classroom(folder).open(grades = false) {
+            var said = Message.of("isolation.image-making")
+            val workers = Workers(database, { Instant.EPOCH }, Duration.ofMinutes(1))
+            val presence = Presence(workers) { Worker("ada", "host", serves = false, said, slots = 1) }
+            presence.begin()
+            workers.drain("ada", drains = true, "somebody")
+            said = Message.of("isolation.plain")
+            assertTrue(presence.seen())
+            assertEquals(
+                said,
+                workers
+                    .all()
+                    .single()
+                    .worker.isolation,
+            )
         }
 
     private suspend fun Visit.all(): List<JsonObject> =
