@@ -44,8 +44,11 @@ public final class GraderBench {
         this.out = out;
     }
 
-    /** Prints the times of single gradings on each Java, and of many one after another. */
-    public void run() throws InterruptedException {
+    /**
+     * Prints the times of single gradings on each Java, of many one after another, and what a
+     * server makes of a class, a burst and an attack.
+     */
+    public void run() throws IOException, InterruptedException {
         Path images = Path.of(System.getProperty("java.io.tmpdir"), "rasterlab-bench-images");
         JudgeSettings plain = JudgeSettings.defaults();
         long start = System.nanoTime();
@@ -57,6 +60,8 @@ public final class GraderBench {
         try (Judge judge = Judge.start(plain)) {
             measure(judge, "grader.jdk");
         }
+        Path home = Path.of(System.getProperty("rasterlab.home", "."));
+        new ServerBench(quick, words, out, source()).run(home);
     }
 
     private String language() {

@@ -1,0 +1,257 @@
+package rasterlab.tests.bench.grader;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.net.http.HttpResponse;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalLong;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import rasterlab.tests.bench.language.BenchWords;
+
+/**
+ * Loads a grading server of its own from this process: as a class that submits, as a burst, and as
+ * students whose methods never end.
+ */
+final class ServerBench {
+    private static final String EXERCISE = "line-bresenham";
+    private static final int CLIENTS = 8;
+    private static final int CLASS = 200;
+    private static final int BURST = 2_000;
+    private static final int BURST_SECONDS = 10;
+    private static final int BOMBS = 20;
+
+    /** A first look has so many times less of everything. */
+    private static final int QUICK = 10;
+
+    private static final double GOAL_ACCEPTS = 300;
+    private static final double GOAL_DRAINED = 60;
+    private static final double GOAL_BURST_DRAINED = 600;
+    private static final double GOAL_PAGE = 0.5;
+    private static final long GOAL_MEMORY = 400;
+
+    private final boolean quick;
+    private final BenchWords words;
+    private final PrintStream out;
+    private final String right;
+
+    /**
+     * @param right a source that is right
+     */
+    ServerBench(boolean quick, BenchWords words, PrintStream out, String right) {
+        this.quick = quick;
+        this.words = words;
+        this.out = out;
+        this.right = right;
+    }
+
+    /** Prints what each load did to the server. */
+    void run(Path home) throws IOException, InterruptedException {
+        try (BenchServer server = BenchServer.start(home)) {
+            List<String> students = new ArrayList<>();
+            for (int k = 0; k < some(CLASS); k++) students.add(server.join("Student " + k));
+            wave(server, students, 1, "grader.class", GOAL_DRAINED);
+            bombs(server, students);
+            burst(server, students);
+            memory(server);
+        }
+    }
+
+    private int some(int all) {
+        return quick ? all / QUICK : all;
+    }
+
+    /** The answer to one submission. */
+    private record Sent(String student, HttpResponse<String> answer) {
+        boolean isAccepted() {
+            return answer.statusCode() == 202;
+        }
+
+        boolean isToldToWait() {
+            return answer.statusCode() == 503
+                    && answer.headers().firstValue("Retry-After").isPresent();
+        }
+    }
+
+    private void burst(BenchServer server, List<String> students)
+            throws IOException, InterruptedException {
+        List<Long> pages = Collections.synchronizedList(new ArrayList<>());
+        var over = new AtomicBoolean();
+        ExecutorService reader = Executors.newSingleThreadExecutor();
+        Future<Void> reading =
+                reader.submit(
+                        () -> {
+                            while (!over.get()) pages.add(server.page("/instructor"));
+                            return null;
+                        });
+        try {
+            wave(server, students, BURST / CLASS, "grader.burst", GOAL_BURST_DRAINED);
+        } finally {
+            over.set(true);
+            reader.shutdown();
+            reader.awaitTermination(1, TimeUnit.MINUTES);
+        }
+        got(reading);
+        pages.sort(null);
+        long slow = pages.get(pages.size() * 99 / 100);
+        out.println(
+                words.text(
+                        "grader.pages",
+                        seconds(slow),
+                        String.valueOf(pages.size()),
+                        String.valueOf(GOAL_PAGE),
+                        met(slow <= GOAL_PAGE * 1e9)));
+    }
+
+    /** All submit as fast as {@value #CLIENTS} clients can, and wait for their results. */
+    private void wave(BenchServer server, List<String> students, int each, String key, double goal)
+            throws InterruptedException, IOException {
+        List<Callable<Sent>> work = new ArrayList<>();
+        for (int k = 0; k < each; k++)
+            for (String student : students) {
+                // sources that differ are not one that was sent twice
+                String source = right + "// " + k;
+                work.add(() -> new Sent(student, server.submit(student, EXERCISE, source)));
+            }
+        long start = System.nanoTime();
+        List<Sent> sent = all(work);
+        long accepted = System.nanoTime() - start;
+        List<Sent> taken = sent.stream().filter(Sent::isAccepted).toList();
+        long told = sent.stream().filter(Sent::isToldToWait).count();
+        List<Callable<Boolean>> results = new ArrayList<>();
+        for (Sent one : taken)
+            results.add(
+                    () -> {
+                        String id = BenchServer.id(one.answer());
+                        var result = server.graded(one.student(), id);
+                        return "ok".equalsIgnoreCase(result.path("verdict").asText());
+                    });
+        long graded = all(results).stream().filter(is -> is).count();
+        long drained = System.nanoTime() - start;
+        double rate = sent.size() / (accepted / 1e9);
+        out.println(
+                words.text(
+                        key,
+                        String.valueOf(sent.size()),
+                        seconds(accepted),
+                        String.valueOf(Math.round(rate)),
+                        String.valueOf(taken.size()),
+                        String.valueOf(told),
+                        String.valueOf(sent.size() - taken.size() - told),
+                        String.valueOf(graded),
+                        seconds(drained),
+                        String.valueOf(Math.round(goal)),
+                        met(drained <= goal * 1e9 && graded == taken.size()),
+                        met(rate >= GOAL_ACCEPTS),
+                        met(accepted <= BURST_SECONDS * 1e9)));
+    }
+
+    /** An honest student alone, and behind students whose methods do not end or eat all memory. */
+    private void bombs(BenchServer server, List<String> students)
+            throws IOException, InterruptedException {
+        String honest = students.get(0);
+        double alone = wait(server, honest, 0);
+        List<Callable<Sent>> work = new ArrayList<>();
+        int many = some(BOMBS);
+        for (int k = 0; k < many; k++) {
+            String student = students.get(1 + k % (students.size() - 1));
+            String bomb = BOMB_SOURCES.get(k % BOMB_SOURCES.size());
+            work.add(() -> new Sent(student, server.submit(student, EXERCISE, bomb)));
+        }
+        List<Sent> sent = all(work);
+        double beside = wait(server, honest, 1);
+        long start = System.nanoTime();
+        for (Sent one : sent)
+            if (one.isAccepted()) server.graded(one.student(), BenchServer.id(one.answer()));
+        double all = beside + (System.nanoTime() - start) / 1e9;
+        out.println(
+                words.text(
+                        "grader.bombs",
+                        String.valueOf(many),
+                        number(alone),
+                        number(beside),
+                        number(all)));
+    }
+
+    /** Seconds from submitting to the result. */
+    private double wait(BenchServer server, String student, int attempt)
+            throws IOException, InterruptedException {
+        long start = System.nanoTime();
+        var answer = server.submit(student, EXERCISE, right + "// honest " + attempt);
+        server.graded(student, BenchServer.id(answer));
+        return (System.nanoTime() - start) / 1e9;
+    }
+
+    private void memory(BenchServer server) throws IOException {
+        OptionalLong most = server.mostMemory();
+        if (most.isEmpty()) return;
+        long mega = most.getAsLong();
+        out.println(
+                words.text(
+                        "grader.memory",
+                        String.valueOf(mega),
+                        String.valueOf(GOAL_MEMORY),
+                        met(mega <= GOAL_MEMORY)));
+    }
+
+    private static <T> List<T> all(List<Callable<T>> work)
+            throws InterruptedException, IOException {
+        ExecutorService clients = Executors.newFixedThreadPool(CLIENTS);
+        try {
+            List<T> results = new ArrayList<>();
+            for (Future<T> one : clients.invokeAll(work)) results.add(got(one));
+            return results;
+        } finally {
+            clients.shutdownNow();
+        }
+    }
+
+    private static <T> T got(Future<T> one) throws InterruptedException, IOException {
+        try {
+            return one.get();
+        } catch (ExecutionException failed) {
+            throw new IOException("the server did not answer", failed.getCause());
+        }
+    }
+
+    private String met(boolean is) {
+        return words.text(is ? "yes" : "no");
+    }
+
+    private static String seconds(long nanos) {
+        return number(nanos / 1e9);
+    }
+
+    private static String number(double seconds) {
+        return String.format(Locale.ROOT, "%.2f", seconds);
+    }
+
+    private static final String HEAD =
+            """
+            import rasterlab.contract.*;
+
+            public final class Mine implements LineRasterizer {
+                @Override
+                public void draw(int x0, int y0, int x1, int y1, Pixels out) {
+            """;
+
+    /** Methods that never end, take all memory, and start threads without end. */
+    private static final List<String> BOMB_SOURCES =
+            List.of(
+                    HEAD + "        while (true) { x0++; }\n    }\n}\n",
+                    HEAD
+                            + "        var all = new java.util.ArrayList<int[]>();\n"
+                            + "        while (true) all.add(new int[1 << 20]);\n    }\n}\n",
+                    HEAD
+                            + "        while (true) new Thread(() -> { while (true) { } }).start();\n"
+                            + "    }\n}\n");
+}
