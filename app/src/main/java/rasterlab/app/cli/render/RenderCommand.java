@@ -268,10 +268,31 @@ public final class RenderCommand implements Callable<Integer> {
         return opened.placed(
                 ofNear,
                 () -> {
-                    DrawnDepths drawn = opened.placed(ofFar, () -> new DrawnDepths(from, to));
-                    drawn.require(chosen, rho);
+                    DrawnDepths drawn = opened.placed(ofFar, () -> drawn(from, to));
+                    requireOfOption(drawn, chosen, rho);
                     return drawn;
                 });
+    }
+
+    /** The depths; a refusal names the option that a wrong one was given by. */
+    private DrawnDepths drawn(double from, double to) {
+        if (near != null && !(from < to))
+            throw new IllegalArgumentException(
+                    "--near must be below %s %s, got %s"
+                            .formatted(far == null ? "far" : "--far", to, from));
+        if (far != null && !(from < to))
+            throw new IllegalArgumentException(
+                    "--far must be above near %s, got %s".formatted(from, to));
+        return new DrawnDepths(from, to);
+    }
+
+    private void requireOfOption(DrawnDepths drawn, Projection chosen, double rho) {
+        try {
+            drawn.require(chosen, rho);
+        } catch (IllegalArgumentException refusal) {
+            if (near == null) throw refusal;
+            throw new IllegalArgumentException("--" + refusal.getMessage(), refusal);
+        }
     }
 
     private static Optional<Double> limit(

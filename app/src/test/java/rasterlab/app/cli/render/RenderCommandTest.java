@@ -144,8 +144,16 @@ class RenderCommandTest {
                 mistake("camera is no number", "'x' is not a number", "--camera=1,x,3"),
                 mistake("camera is not finite", "finite angle", "--camera=NaN,1,3"),
                 mistake("camera is in the origin", "got 0", "--camera=1,1,0"),
-                mistake("far is before near", "got near 9, far 3", "--near=9", "--far=3"),
-                mistake("near is in the eye", "above 0 in perspective", "--near=0"),
+                mistake(
+                        "far is before near",
+                        "--near must be below --far 3, got 9",
+                        "--near=9",
+                        "--far=3"),
+                mistake("far is before the usual near", "--far must be above near", "--far=1e-9"),
+                mistake(
+                        "near is in the eye",
+                        "--near must be above 0 in perspective, at least",
+                        "--near=0"),
                 mistake("texture filter is unknown", "no texture filter 'x'", "--texture=x"),
                 mistake("term is unknown", "no light term 'glow'", "--terms=ambient,glow"),
                 mistake("culled side is unknown", "none, back, front", "--cull=left"),
