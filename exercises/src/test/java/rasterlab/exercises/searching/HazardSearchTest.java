@@ -57,7 +57,11 @@ class HazardSearchTest {
         "rotate-axis, seven-steps-textbook",
         "view, taken-apart-textbook",
         "visible-faces, convex-segment-textbook",
-        "color, formula-textbook"
+        "color, formula-textbook",
+        "spline-function, cubic-textbook",
+        "clip-polygon, sutherland-hodgman-textbook",
+        "texture-mapping, affine-textbook",
+        "texture-filter, nearest-textbook"
     })
     void findsAnInputOnWhichTheMethodFailsAndRightOnesDoNot(String topic, String method) {
         Find find =
