@@ -101,7 +101,7 @@ public final class Findings {
         WholeFile.requireWritable(index());
         Map<Topic<?, ?, ?>, TopicFinding> found = new LinkedHashMap<>();
         for (Topic<?, ?, ?> topic : topics) {
-            progress.accept(texts.text("measuring", topic.name()));
+            if (!stopped.getAsBoolean()) progress.accept(texts.text("measuring", topic.name()));
             found.put(topic, found(topic));
         }
         new FoundContents(folder, shared(), texts, called)
@@ -128,7 +128,7 @@ public final class Findings {
         if (stopped.getAsBoolean()) return TopicFinding.none(texts.text("notMeasured"));
         try {
             Study study = StudyRunner.measure(topic, settings, step -> {}, stopped);
-            if (study.measurements().isEmpty()) return TopicFinding.none(texts.text("notMeasured"));
+            if (!study.isTimed()) return TopicFinding.none(texts.text("notMeasured"));
             HazardMatrix hazards = judged(topic);
             var words = new FoundWords(topic, study, hazards, language);
             writeData(study);

@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
+import rasterlab.app.hazard.CommandHtml;
 import rasterlab.app.hazard.VerdictTable;
 import rasterlab.app.language.Texts;
 import rasterlab.app.tour.Html;
@@ -50,7 +51,7 @@ final class FoundPage {
     }
 
     FoundPage command(String command) {
-        body.append("<pre>").append(Html.escaped(command)).append("</pre>\n");
+        body.append(CommandHtml.of(command));
         return this;
     }
 
@@ -143,7 +144,7 @@ final class FoundPage {
                         texts.locale().getLanguage(),
                         head,
                         Html.escaped(title),
-                        Html.style() + style() + VerdictTable.COLORS,
+                        Html.style() + style() + CommandHtml.STYLE + VerdictTable.COLORS,
                         Html.escaped(title),
                         body)
                 .getBytes(StandardCharsets.UTF_8);

@@ -26,12 +26,13 @@ final class HazardHtml {
             break-inside:avoid}
             section p{overflow-wrap:anywhere;margin:.3em 0}
             img,svg{max-width:100%;height:auto;background:#fff}
+            .flat :is(img,svg){max-width:none}
             @media(max-width:500px){dl{grid-template-columns:1fr}}
             @media(prefers-color-scheme:dark){body{background:#1b1d20;color:#f0f2f4}\
             pre{background:#25282c}}
             @media print{body{max-width:none;background:#fff;color:#000}\
             pre{background:none;border:1px solid #999}table{font-size:9px}\
-            .scroll{overflow:visible}th,td{white-space:normal;padding:2px 3px}}
+            .flat :is(img,svg){max-width:100%}.scroll{overflow:visible}th,td{white-space:normal;padding:2px 3px}}
             """;
 
     private HazardHtml() {}
@@ -51,7 +52,7 @@ final class HazardHtml {
                 .formatted(
                         language.locale().getLanguage(),
                         escaped(title),
-                        STYLE + VerdictTable.COLORS,
+                        STYLE + CommandHtml.STYLE + VerdictTable.COLORS,
                         body);
     }
 

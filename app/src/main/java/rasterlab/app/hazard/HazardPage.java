@@ -35,6 +35,9 @@ import rasterlab.exercises.score.PictureBytes;
 public final class HazardPage<C, I, O> {
     private static final Duration LONGEST_DRAWING = Duration.ofSeconds(10);
 
+    /** How many times wider than high a picture is that scrolls. */
+    private static final int FLAT = 4;
+
     private final Topic<C, I, O> topic;
     private final Texts texts;
     private final TopicNames called;
@@ -82,7 +85,7 @@ public final class HazardPage<C, I, O> {
         var body = new StringBuilder();
         String name = texts.text("title", called.topic(topic.name()), topic.name());
         body.append("<h1>%s</h1>\n<p>%s</p>\n".formatted(text(name), text(texts.text("about"))));
-        body.append(command(texts.language().command("hazards " + topic.name())));
+        body.append(CommandHtml.of(texts.language().command("hazards " + topic.name())));
         body.append("<h2>%s</h2>\n<dl>\n".formatted(text(texts.text("rules"))));
         for (Verdict.Kind kind : Verdict.Kind.values())
             body.append(
@@ -135,7 +138,7 @@ public final class HazardPage<C, I, O> {
         String detail = VerdictDetail.saidToTypist(texts.language(), verdict.detail());
         if (!verdict.detail().isEmpty()) html.append("<p>%s</p>\n".formatted(text(detail)));
         html.append(picture(hazard, tried));
-        return html.append(command(repeating(hazard, method.name())))
+        return html.append(CommandHtml.of(repeating(hazard, method.name())))
                 .append("</section>\n")
                 .toString();
     }
@@ -152,8 +155,12 @@ public final class HazardPage<C, I, O> {
                         () -> pictures.drawn(hazard.input(), tried.exact(), tried.made().get()))
                 .map(
                         drawn ->
-                                "<img alt=\"%s\" src=\"%s\">\n"
-                                        .formatted(text(texts.text("difference")), data(drawn)))
+                                framed(
+                                        "<img alt=\"%s\" src=\"%s\">\n"
+                                                .formatted(
+                                                        text(texts.text("difference")),
+                                                        data(drawn)),
+                                        size(drawn)))
                 .orElseGet(() -> notDrawn());
     }
 
@@ -165,7 +172,14 @@ public final class HazardPage<C, I, O> {
                     guarded(hazard, () -> pictures.right(hazard.input(), tried.exact()))
                             .map(drawn -> new RightAnswer(data(drawn), size(drawn)))
                             .or(() -> Optional.of(RightAnswer.NONE));
-        return right.orElseThrow().html(id, text(texts.text("right")), notDrawn());
+        RightAnswer shown = right.orElseThrow();
+        return framed(shown.html(id, text(texts.text("right")), notDrawn()), shown.size());
+    }
+
+    /** A picture; one of a single row scrolls, as its numbers could not be read made smaller. */
+    private static String framed(String picture, Dimension size) {
+        boolean flat = size.width >= FLAT * size.height && size.height > 0;
+        return flat ? "<div class=\"scroll flat\">" + picture + "</div>\n" : picture;
     }
 
     private String notDrawn() {
@@ -198,10 +212,6 @@ public final class HazardPage<C, I, O> {
 
     private String repeating(Hazard<I> hazard, String method) {
         return VerdictTable.repeating(topic.name(), method, hazard.name(), texts.language());
-    }
-
-    private static String command(String typed) {
-        return "<pre>" + text(typed) + "</pre>\n";
     }
 
     private static String text(String said) {

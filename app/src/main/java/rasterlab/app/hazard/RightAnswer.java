@@ -23,6 +23,10 @@ final class RightAnswer {
         this.size = size;
     }
 
+    Dimension size() {
+        return size;
+    }
+
     /**
      * The picture in one more cell.
      *

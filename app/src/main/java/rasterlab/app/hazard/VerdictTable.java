@@ -56,7 +56,7 @@ public final class VerdictTable {
     }
 
     static String signed(Verdict.Kind kind, StudyWords words) {
-        return HazardHtml.sign(kind) + " " + words.verdict(kind);
+        return HazardHtml.sign(kind) + "\u00a0" + words.verdict(kind);
     }
 
     /** The command that tries a method on a hazard again. */

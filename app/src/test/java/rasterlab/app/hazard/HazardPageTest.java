@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
@@ -35,7 +37,8 @@ class HazardPageTest {
         assertEquals(
                 ids(topic).toList(), cells.stream().map(cell -> cell[0]).toList(), "a cell each");
         for (String[] cell : cells) {
-            assertTrue(cell[2].contains("<pre>./lab run " + name + " "), cell[0]);
+            String command = cell[2].replaceAll("</?span>", "");
+            assertTrue(command.contains("<pre>./lab run " + name + " "), cell[0]);
             boolean answered = List.of("exact", "degraded", "wrong").contains(cell[1]);
             boolean shown = cell[2].contains("<svg role=\"img\"") || cell[2].contains("<img alt=");
             assertEquals(answered, shown, cell[0] + " is " + cell[1]);
@@ -46,6 +49,31 @@ class HazardPageTest {
             if (id.startsWith("right."))
                 assertEquals(2, page.split("id=\"" + id + "\"").length, id);
         }
+    }
+
+    @Test
+    @DisplayName("a line breaks behind a hyphen of a name, or inside an option")
+    void commandsBreakBetweenWordsOnly() {
+        assertEquals(
+                "<pre>./lab run <span>clip-polygon</span> mine <span>--hazard</span> NaN</pre>\n",
+                CommandHtml.of("./lab run clip-polygon mine --hazard NaN"));
+        String page =
+                HazardPage.of(Topics.named("rotate"), HazardTrial.WALL_LIMIT, Language.ENGLISH)
+                        .html();
+        assertTrue(page.contains(CommandHtml.STYLE), "nothing keeps them whole");
+    }
+
+    @Test
+    @DisplayName("a row of numbers is made so small that nobody can read it")
+    void pictureOfARowScrolls() {
+        String page =
+                HazardPage.of(
+                                Topics.named("texture-filter"),
+                                HazardTrial.WALL_LIMIT,
+                                Language.ENGLISH)
+                        .html();
+        assertTrue(page.contains("<div class=\"scroll flat\"><svg"), "a right answer");
+        assertTrue(page.contains("<div class=\"scroll flat\"><img"), "a difference");
     }
 
     private static Stream<String> ids(Topic<?, ?, ?> topic) {
