@@ -30,11 +30,13 @@ import picocli.CommandLine.Spec;
 import rasterlab.app.cli.console.ComplaintText;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.ReportLanguage;
+import rasterlab.engine.Topics;
 import rasterlab.tests.bench.grader.GraderBench;
 import rasterlab.tests.bench.language.BenchWords;
 import rasterlab.tests.bench.pipeline.PipelineBench;
 import rasterlab.tests.bench.plan.FaceCounts;
 import rasterlab.tests.bench.plan.PlanBench;
+import rasterlab.tests.bench.study.StudyBench;
 import rasterlab.tests.bench.window.WindowBench;
 
 /** Measures the engine's methods beside their peers and prints the ratios. */
@@ -68,6 +70,9 @@ public final class Bench implements Callable<Integer> {
     /** The name of the part that grades as the server does. */
     private static final String GRADER = "grader";
 
+    /** The name of the part that tells what studies may be believed. */
+    private static final String STUDY = "study";
+
     /** The name of the part that searches for failing inputs. */
     private static final String SEARCH = "search";
 
@@ -75,7 +80,7 @@ public final class Bench implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "GROUP",
-            description = "raster, pipeline, plan, search, window or grader")
+            description = "raster, pipeline, plan, search, study, window or grader")
     private String group;
 
     @Option(
@@ -138,7 +143,7 @@ public final class Bench implements Callable<Integer> {
     /** The groups that can be measured; the {@code ./lab} scripts know these names too. */
     public static SortedSet<String> groups() {
         var names = new TreeSet<>(GROUPS.keySet());
-        names.addAll(List.of(PIPELINE, PLAN, SEARCH, WINDOW, GRADER));
+        names.addAll(List.of(PIPELINE, PLAN, SEARCH, STUDY, WINDOW, GRADER));
         return names;
     }
 
@@ -151,8 +156,12 @@ public final class Bench implements Callable<Integer> {
         }
         if (group.equals(SEARCH)) {
             var longest = Duration.ofSeconds(quick ? 10 : 60);
-            boolean met = new SearchBench(longest, words, console.out()).run();
+            boolean met = new SearchBench(longest, words, console.out()).run(Topics.all(), only);
             return met ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
+        }
+        if (group.equals(STUDY)) {
+            new StudyBench(quick, words, console.out()).run();
+            return 0;
         }
         if (group.equals(GRADER)) {
             new GraderBench(quick, words, console.out()).run();
@@ -186,7 +195,7 @@ public final class Bench implements Callable<Integer> {
         if (!groups().contains(group)) throw wrong("group", group, String.join(", ", groups()));
         if (minutes < 0) throw wrong("minutes.negative", String.valueOf(minutes));
         if (minutes > 0 && !group.equals(WINDOW)) throw wrong("minutes.group", group);
-        if (!only.isEmpty() && List.of(PLAN, SEARCH, WINDOW, GRADER).contains(group))
+        if (!only.isEmpty() && List.of(PLAN, STUDY, WINDOW, GRADER).contains(group))
             throw wrong("only.group");
         List<String> works = works();
         if (works.stream().noneMatch(work -> work.contains(only)))
@@ -198,7 +207,8 @@ public final class Bench implements Callable<Integer> {
      * choice.
      */
     private List<String> works() {
-        if (List.of(PLAN, SEARCH, WINDOW, GRADER).contains(group)) return List.of("");
+        if (List.of(PLAN, STUDY, WINDOW, GRADER).contains(group)) return List.of("");
+        if (group.equals(SEARCH)) return SearchBench.works();
         if (group.equals(PIPELINE)) return PipelineBench.works();
         return GROUPS.get(group).get().stream().map(Goal::work).toList();
     }

@@ -5,9 +5,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.searching.Find;
 import rasterlab.exercises.searching.HazardSearch;
@@ -15,8 +18,8 @@ import rasterlab.exercises.searching.SearchListener;
 import rasterlab.tests.bench.language.BenchWords;
 
 /**
- * Searches for a failing input of each textbook method, which must be found, and of each method
- * that no failure is known of, where none must be.
+ * Searches for a failing input of each textbook method and each mutant, which must be found, and of
+ * each method that no failure is known of, where none must be.
  */
 final class SearchBench {
     private static final SearchListener SILENT =
@@ -47,28 +50,55 @@ final class SearchBench {
     /**
      * Searches and prints a line for each method.
      *
-     * @return whether all textbook methods failed and none of those that promise to be right did
+     * @param topics whose methods these are
+     * @param only text that the topic and the method have, as in "line dda"; empty for all
+     * @return whether all textbook methods and mutants failed and none of the methods that promise
+     *     to be right did
      */
-    boolean run() {
-        return run(Topics.all());
-    }
-
-    boolean run(List<Topic<?, ?, ?>> topics) {
+    boolean run(List<Topic<?, ?, ?>> topics, String only) {
         out.println(words.head("head.search"));
-        boolean textbooks = searched(topics, SearchBench::isTextbook, true);
-        return searched(topics, Method::promisesToBeRight, false) && textbooks;
+        boolean textbooks = searched(topics, SearchBench::textbooks, only, true);
+        boolean mutants = searched(topics, SearchBench::mutants, only, true);
+        return searched(topics, SearchBench::right, only, false) && mutants && textbooks;
     }
 
-    private static boolean isTextbook(Method<?> method) {
-        return method.name().endsWith("-textbook");
+    /** The topic and method of all that is searched, each as {@code --only} is compared with. */
+    static List<String> works() {
+        return Topics.all().stream()
+                .flatMap(
+                        topic ->
+                                Stream.of(textbooks(topic), mutants(topic), right(topic))
+                                        .flatMap(List::stream)
+                                        .map(method -> topic.name() + " " + method))
+                .toList();
+    }
+
+    private static List<String> textbooks(Topic<?, ?, ?> topic) {
+        return named(topic, method -> method.name().endsWith("-textbook"));
+    }
+
+    private static List<String> right(Topic<?, ?, ?> topic) {
+        return named(topic, Method::promisesToBeRight);
+    }
+
+    private static List<String> named(Topic<?, ?, ?> topic, Predicate<Method<?>> which) {
+        return topic.methods().stream().filter(which).<String>map(Method::name).toList();
+    }
+
+    private static List<String> mutants(Topic<?, ?, ?> topic) {
+        return topic.allMutants().stream().<String>map(Mutant::name).distinct().toList();
     }
 
     private boolean searched(
-            List<Topic<?, ?, ?>> topics, Predicate<Method<?>> which, boolean failing) {
+            List<Topic<?, ?, ?>> topics,
+            Function<Topic<?, ?, ?>, List<String>> which,
+            String only,
+            boolean failing) {
         boolean all = true;
         for (Topic<?, ?, ?> topic : topics)
-            for (Method<?> method : topic.methods())
-                if (which.test(method)) all &= searched(topic.name(), method.name(), failing);
+            for (String method : which.apply(topic))
+                if ((topic.name() + " " + method).contains(only))
+                    all &= searched(topic.name(), method, failing);
         return all;
     }
 

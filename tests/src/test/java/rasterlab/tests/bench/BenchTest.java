@@ -25,7 +25,7 @@ class BenchTest {
         assertEquals(2, run("nosuch"));
         assertEquals(
                 "./lab bench: unknown group 'nosuch'; allowed are grader, pipeline, plan, raster,"
-                        + " search, window"
+                        + " search, study, window"
                         + " (see `./lab bench --help`)",
                 errorText());
     }
@@ -57,8 +57,8 @@ class BenchTest {
         assertEquals(2, run("window", "--minutes", "-1"));
         assertEquals(
                 List.of(
-                        "--only goes with the groups raster and pipeline, not with plan, search,"
-                                + " window and grader",
+                        "--only goes with the groups raster, pipeline and search, not with plan,"
+                                + " study, window and grader",
                         "--minutes goes with the group window, not with raster",
                         "--minutes must be at least 0, got -1"),
                 errorText()

@@ -15,6 +15,7 @@ import rasterlab.app.language.Language;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.ForwardingTopic;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.tests.bench.language.BenchWords;
 
@@ -23,7 +24,8 @@ class SearchBenchTest {
 
     private boolean run(Duration longest, Topic<?, ?, ?> topic) {
         var out = new PrintStream(printed, true, StandardCharsets.UTF_8);
-        return new SearchBench(longest, new BenchWords(Language.ENGLISH), out).run(List.of(topic));
+        return new SearchBench(longest, new BenchWords(Language.ENGLISH), out)
+                .run(List.of(topic), "");
     }
 
     private List<String> lines() {
@@ -37,6 +39,16 @@ class SearchBenchTest {
             public List<Method<C>> methods() {
                 return List.of(topic.method(method));
             }
+
+            @Override
+            public List<Mutant<C>> mutants() {
+                return List.of();
+            }
+
+            @Override
+            public List<Mutant<C>> mutants(String answer) {
+                return List.of();
+            }
         };
     }
 
@@ -45,6 +57,18 @@ class SearchBenchTest {
         assertTrue(run(Duration.ofMinutes(2), only(Topics.named("color"), "formula-textbook")));
         assertEquals(3, lines().size(), lines().toString());
         assertTrue(lines().get(2).startsWith("color formula-textbook | wrong | "), lines().get(2));
+    }
+
+    @Test
+    @DisplayName("mutants are not searched, or others than those asked for")
+    void mutantIsFoundToFail() {
+        var out = new PrintStream(printed, true, StandardCharsets.UTF_8);
+        var bench = new SearchBench(Duration.ofMinutes(2), new BenchWords(Language.ENGLISH), out);
+        String wanted = "visible-faces turned-away";
+        assertTrue(SearchBench.works().contains(wanted));
+        assertTrue(bench.run(List.of(Topics.named("visible-faces")), wanted));
+        assertEquals(3, lines().size(), lines().toString());
+        assertTrue(lines().get(2).startsWith(wanted + " | wrong | "), lines().get(2));
     }
 
     @Test
