@@ -1,23 +1,22 @@
-package rasterlab.app.study.chart;
+package rasterlab.app.chart;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.util.ArrayList;
 import java.util.List;
 import org.knowm.xchart.internal.chartpart.Annotation;
-import rasterlab.app.chart.LeaderColumn;
 
 /** Names of lines in a column to the right of a chart, each with a line to its line's end. */
-final class LineNames extends Annotation {
+public final class LineNames extends Annotation {
     /** Width that the column takes beside its names. */
-    static final int MARGIN = 34;
+    private static final int MARGIN = 34;
 
     /** Distance of the column from the plot. */
     private static final int GAP = 24;
 
     private static final double MARK = 8;
 
-    private record Name(String text, SizeLabels.SizePoint at, Color color) {}
+    private record Name(String text, double x, double y, Color color) {}
 
     private final Color ink;
     private final List<Name> names = new ArrayList<>();
@@ -25,19 +24,25 @@ final class LineNames extends Annotation {
     /**
      * @param ink of the names
      */
-    LineNames(Color ink) {
+    public LineNames(Color ink) {
         super(false);
         this.ink = ink;
+    }
+
+    /** The width that a column of those names takes beside a chart. */
+    public static int width(List<String> names, Graphics2D graphics) {
+        return LeaderColumn.width(names, graphics.getFontMetrics(LeaderColumn.FONT)) + MARGIN;
     }
 
     /**
      * Adds a name.
      *
-     * @param at end of its line
+     * @param x of its line's end, on the chart's axis to the right
+     * @param y of its line's end, on the axis upwards
      * @param color of the line
      */
-    void add(String text, SizeLabels.SizePoint at, Color color) {
-        names.add(new Name(text, at, color));
+    public void add(String text, double x, double y, Color color) {
+        names.add(new Name(text, x, y, color));
     }
 
     @Override
@@ -50,8 +55,8 @@ final class LineNames extends Annotation {
                                 one ->
                                         new LeaderColumn.LeaderLabel(
                                                 one.text(),
-                                                getXAxisScreenValue(one.at().cost()),
-                                                getYAxisScreenValue(one.at().position()),
+                                                getXAxisScreenValue(one.x()),
+                                                getYAxisScreenValue(one.y()),
                                                 ink,
                                                 one.color()))
                         .toList();

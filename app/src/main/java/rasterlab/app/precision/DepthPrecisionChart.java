@@ -10,12 +10,12 @@ import java.util.stream.IntStream;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
-import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.lines.SeriesLines;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.ChartSize;
+import rasterlab.app.chart.LineNames;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.chart.PowersOfTen;
 import rasterlab.app.language.Language;
@@ -57,17 +57,17 @@ public final class DepthPrecisionChart {
     }
 
     public static BufferedImage image(Language language, ChartLook paper, ChartSize size) {
-        return paper.image(
-                size,
-                graphics -> chart(language, paper).paint(graphics, size.width(), size.height()));
+        return paper.image(size, graphics -> paint(graphics, language, paper, size));
     }
 
     public static byte[] svg(Language language, ChartLook paper) {
-        return paper.svg(graphics -> paint(graphics, language, paper));
+        return paper.svg(graphics -> paint(graphics, language, paper, ChartSize.USUAL));
     }
 
-    private static void paint(Graphics2D graphics, Language language, ChartLook paper) {
-        chart(language, paper).paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT);
+    private static void paint(
+            Graphics2D graphics, Language language, ChartLook paper, ChartSize size) {
+        int column = LineNames.width(DepthPrecision.FORMATS, graphics);
+        chart(language, paper).paint(graphics, size.width() - column, size.height());
     }
 
     /** The marks as comma-separated values. */
@@ -102,6 +102,9 @@ public final class DepthPrecisionChart {
         List<PrecisionSample> marks = DepthPrecision.samples(MARKS_PER_DECADE);
         looks.forEach((format, look) -> line(chart, look.on(paper), of(format, lines)));
         looks.forEach((format, look) -> marks(chart, look.on(paper), of(format, marks)));
+        var names = new LineNames(paper.ink());
+        looks.forEach((format, look) -> name(names, look.on(paper), of(format, marks)));
+        chart.addAnnotation(names);
         return chart;
     }
 
@@ -118,7 +121,6 @@ public final class DepthPrecisionChart {
                         format + " predicted",
                         inside.stream().mapToDouble(PrecisionSample::ratio).toArray(),
                         inside.stream().mapToDouble(PrecisionSample::predicted).toArray());
-        series.setShowInLegend(false);
         series.setMarker(SeriesMarkers.NONE);
         series.setLineColor(look.color());
         series.setLineStyle(new BasicStroke(format.equals(WIDE) ? 6f : 2f));
@@ -142,12 +144,17 @@ public final class DepthPrecisionChart {
         series.setLineStyle(SeriesLines.NONE);
     }
 
+    private static void name(LineNames names, MethodLook look, List<PrecisionSample> samples) {
+        PrecisionSample last = samples.get(samples.size() - 1);
+        names.add(last.format(), last.ratio(), last.predicted(), look.color());
+    }
+
     private static void style(XYStyler styler) {
         styler.setXAxisLogarithmic(true).setXAxisMin(LEAST_RATIO).setXAxisMax(MOST_RATIO);
         styler.setYAxisLogarithmic(true).setYAxisMin(LOWEST).setYAxisMax(HIGHEST);
         styler.setXAxisTickLabelsFormattingFunction(PowersOfTen::nearest);
         styler.setYAxisTickLabelsFormattingFunction(PowersOfTen::nearest);
-        styler.setLegendPosition(LegendPosition.OutsideE);
+        styler.setLegendVisible(false);
         styler.setMarkerSize(11);
     }
 }

@@ -76,7 +76,7 @@ final class StudyCsv {
                 timed(measured, measured.cost().medianNanos()),
                 timed(measured, measured.cost().lowNanos()),
                 timed(measured, measured.cost().highNanos()),
-                timed(measured, measured.error().worst()),
+                measured.isAnswered() ? String.valueOf(measured.error().worst()) : "",
                 study.errorUnit(),
                 String.valueOf(measured.error().missing()),
                 String.valueOf(measured.error().extra()),

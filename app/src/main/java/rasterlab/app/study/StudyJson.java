@@ -28,6 +28,11 @@ import rasterlab.engine.study.measuring.PowerFit;
 
 /** A study as JSON, with the machine that it was measured on, how, and every round. */
 final class StudyJson {
+    /** Where a study was stopped that is not whole. */
+    private static final String BEFORE = "before the first round";
+
+    private static final String IN_ROUNDS = "between rounds";
+
     private final JsonGenerator json;
     private final boolean brief;
 
@@ -105,6 +110,7 @@ final class StudyJson {
         StudySettings settings = how.settings();
         json.writeStringField("date", how.begun().toString());
         json.writeBooleanField("whole", how.whole());
+        if (!how.whole()) json.writeStringField("stopped", study.isTimed() ? IN_ROUNDS : BEFORE);
         json.writeNumberField("seed", settings.seed());
         json.writeObjectFieldStart("settings");
         json.writeNumberField("warmUpMillis", millis(settings.warmUp()));
@@ -181,19 +187,24 @@ final class StudyJson {
     }
 
     private void write(Cost cost, double noise) throws IOException {
-        json.writeObjectFieldStart("nanosPerItem");
-        json.writeNumberField("median", cost.medianNanos());
-        json.writeNumberField("low", cost.lowNanos());
-        json.writeNumberField("high", cost.highNanos());
-        if (cost.timed() && !brief) {
-            MedianInterval interval = cost.interval(noise);
-            write("interval", List.of(interval.low(), interval.high()));
-        }
-        json.writeEndObject();
+        if (cost.timed()) writeNanos(cost, noise);
+        else json.writeNullField("nanosPerItem");
         write("rounds", cost.rounds());
         json.writeObjectFieldStart("counts");
         for (Map.Entry<String, Long> count : cost.counts().entrySet())
             json.writeNumberField(count.getKey(), count.getValue());
+        json.writeEndObject();
+    }
+
+    private void writeNanos(Cost cost, double noise) throws IOException {
+        json.writeObjectFieldStart("nanosPerItem");
+        json.writeNumberField("median", cost.medianNanos());
+        json.writeNumberField("low", cost.lowNanos());
+        json.writeNumberField("high", cost.highNanos());
+        if (!brief) {
+            MedianInterval interval = cost.interval(noise);
+            write("interval", List.of(interval.low(), interval.high()));
+        }
         json.writeEndObject();
     }
 

@@ -313,8 +313,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
 
     /** Shows the points as they come; they stay if it is cancelled. */
     private void tellSoFar(Study soFar) {
-        boolean begun = soFar.measurements().stream().anyMatch(one -> one.cost().timed());
-        if (!begun || !isShown(soFar.topic())) return;
+        if (!soFar.isTimed() || !isShown(soFar.topic())) return;
         studies.put(soFar.topic(), soFar);
         publish(state.with(soFar));
     }

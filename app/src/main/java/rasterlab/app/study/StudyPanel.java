@@ -257,7 +257,7 @@ public final class StudyPanel extends LabPanel {
         if (work.kind() == StudyWork.Kind.NOT_READ) return texts.text("progress.notRead", why);
         if (state.view().isChart())
             return model.shippedStudy()
-                    .map(conditions()::shipped)
+                    .map(shipped -> texts.text("progress.shipped"))
                     .or(() -> state.study().map(this::measured))
                     .orElse(texts.text("progress.none"));
         return texts.text(state.cells().isEmpty() ? "progress.untried" : "progress.tried");

@@ -121,6 +121,7 @@ final class StudyReading {
         Map<String, Long> counts = new TreeMap<>();
         for (Map.Entry<String, JsonNode> one : node.required("counts").properties())
             counts.put(one.getKey(), one.getValue().asLong());
+        if (nanos.isNull()) return Cost.of(List.of(), counts);
         return new Cost(
                 number(nanos.required("median")),
                 number(nanos.required("low")),

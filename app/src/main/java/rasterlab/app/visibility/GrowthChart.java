@@ -22,6 +22,7 @@ import org.knowm.xchart.style.lines.SeriesLines;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.ChartSize;
+import rasterlab.app.chart.LineNames;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.chart.PowersOfTen;
 import rasterlab.app.language.Language;
@@ -37,7 +38,7 @@ public final class GrowthChart {
     /**
      * The least width for the charts and the table, in units of which the chart's type is 14 high.
      */
-    private static final int LEAST_WIDTH = 780;
+    private static final int LEAST_WIDTH = 900;
 
     private static final int LEAST_HEIGHT = 580;
 
@@ -140,7 +141,8 @@ public final class GrowthChart {
         Axis[] axes = Axis.values();
         for (int i = 0; i < axes.length; i++) {
             var part = part(graphics, i % 2, i / 2, panel);
-            chart(axes[i], texts, paper).paint(part, panel.width, panel.height);
+            int column = LineNames.width(methods, part);
+            chart(axes[i], texts, paper).paint(part, panel.width - column, panel.height);
             part.dispose();
         }
         var rest = part(graphics, 1, 1, panel);
@@ -177,8 +179,16 @@ public final class GrowthChart {
                         .build();
         paper.style(chart.getStyler(), texts.locale());
         style(chart.getStyler());
+        var names = new LineNames(paper.ink());
+        chart.addAnnotation(names);
         for (String method : methods) {
             Growth growth = growth(method, axis);
+            int last = growth.sizes().length - 1;
+            names.add(
+                    method,
+                    growth.sizes()[last],
+                    growth.work()[last],
+                    look(method).on(paper).color());
             XYSeries series =
                     chart.addSeries(
                             method,

@@ -1,5 +1,6 @@
 package rasterlab.app.visibility;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -8,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
+import java.util.regex.Pattern;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -41,7 +43,7 @@ class GrowthChartTest {
     @Test
     void typeGrowsWithTheWindowsWhereThereIsRoom() {
         assertEquals(new ChartSize(1200, 800, 1.5), GrowthChart.filling(1800, 1200, 1.5));
-        assertEquals(new ChartSize(780, 1000, 1.5), GrowthChart.filling(1170, 1500, 2));
+        assertEquals(new ChartSize(900, 1000, 1.5), GrowthChart.filling(1350, 1500, 2));
     }
 
     @ParameterizedTest(
@@ -63,6 +65,15 @@ class GrowthChartTest {
         assertEquals(Axis.values().length, columns.size(), "heads of columns");
         assertTrue(columns.get(2)[1] < table.getWidth() - 2, "the last head is cut");
         assertTrue(rows.get(rows.size() - 1)[1] < table.getHeight() - 2, "the last row is cut");
+    }
+
+    @Test
+    void eachLineHasItsNameAtItsEnd() {
+        String svg = new String(chart.svg(Language.RUSSIAN, ChartLook.PAPER), UTF_8);
+        for (String method : chart.methods()) {
+            long written = Pattern.compile(">" + method + "<").matcher(svg).results().count();
+            assertEquals(Axis.values().length + 1, written, method + " in each plot and the table");
+        }
     }
 
     /** First and last of what follows each other with less than {@code gap} empty between. */

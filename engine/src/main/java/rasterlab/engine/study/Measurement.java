@@ -38,6 +38,11 @@ public record Measurement(
         this(method, workload, size, cost, error, kind, detail, List.of());
     }
 
+    /** Whether the method answered all inputs, well or badly, and so has an error. */
+    public boolean isAnswered() {
+        return kind.compareTo(Verdict.Kind.REFUSED) < 0;
+    }
+
     /** This measurement at another cost. */
     public Measurement with(Cost other) {
         return new Measurement(method, workload, size, other, error, kind, detail, errors);

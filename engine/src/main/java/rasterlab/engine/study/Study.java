@@ -58,6 +58,11 @@ public record Study(
         return noise() >= BUSY;
     }
 
+    /** Whether a round of any method was timed; until then they are judged and warmed up. */
+    public boolean isTimed() {
+        return measurements.stream().anyMatch(one -> one.cost().timed());
+    }
+
     /** Whether it came to its end. */
     public boolean isWhole() {
         return circumstances.map(StudyConditions::whole).orElse(true);

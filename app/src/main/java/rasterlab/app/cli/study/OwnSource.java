@@ -21,7 +21,6 @@ import rasterlab.engine.study.Progress;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
 
 /** The user's own program as one more method of a study. */
@@ -80,7 +79,7 @@ final class OwnSource {
     /** Why the program gave no answer, a line for each reason; none where it answered all. */
     static List<String> refusals(Study study, Language language) {
         return study.measurements().stream()
-                .filter(one -> one.kind().compareTo(Verdict.Kind.REFUSED) >= 0)
+                .filter(one -> !one.isAnswered())
                 .flatMap(one -> OwnWords.refusal(one.method(), one.detail(), language).stream())
                 .distinct()
                 .toList();

@@ -11,10 +11,14 @@ import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Ranking;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyConditions;
+import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.engine.study.measuring.PaceComparison;
+import rasterlab.engine.study.measuring.RoundPlan;
 
 /** The order of a study's methods at each workload, as far as it can be told, as lines of text. */
 final class RankingText {
+    private static final long CERTAIN = Math.round(100 * MedianInterval.CONFIDENCE);
+
     private final Study study;
     private final StudyCost cost;
     private final Texts texts;
@@ -38,6 +42,7 @@ final class RankingText {
         var lines = new ArrayList<String>();
         List<Ranking> rankings =
                 Ranking.all(study).stream().filter(one -> one.places().size() > 1).toList();
+        if (!study.isWhole() && !study.isTimed()) add(lines, texts.text("rank.untimed"));
         if (rankings.isEmpty()) return lines;
         lines.add("");
         boolean timed = cost == StudyCost.TIME;
@@ -51,6 +56,8 @@ final class RankingText {
             add(
                     lines,
                     ranking.workload() + ": " + (timed ? rankingText(ranking) : counted(ranking)));
+        if (timed && rankings.stream().anyMatch(one -> one.rounds() < RoundPlan.LEAST))
+            add(lines, texts.text("rank.few", RoundPlan.LEAST, CERTAIN));
         if (timed) addOpen(lines, rankings);
         study.circumstances().ifPresent(how -> addNoise(lines, how));
         return lines;

@@ -20,7 +20,7 @@ final class StudyTable {
     static final int WIDTH = 100;
 
     /** The sign in place of the numbers of a method that did not end or crashed. */
-    private static final String NOT_TIMED = "–";
+    private static final String NONE = "–";
 
     private final Study study;
     private final Texts texts;
@@ -87,7 +87,7 @@ final class StudyTable {
 
     private List<String> times(Measurement measured) {
         Cost cost = measured.cost();
-        if (!cost.timed()) return List.of(NOT_TIMED, NOT_TIMED);
+        if (!cost.timed()) return List.of(NONE, NONE);
         return List.of(
                 number(cost.medianNanos()),
                 number(cost.lowNanos()) + "–" + number(cost.highNanos()));
@@ -96,7 +96,7 @@ final class StudyTable {
     private List<String> errors(Measurement measured) {
         Deviation error = measured.error();
         String verdict = words.verdict(measured.kind());
-        if (!measured.cost().timed()) return List.of(NOT_TIMED, NOT_TIMED, verdict);
+        if (!measured.isAnswered()) return List.of(NONE, NONE, verdict);
         return List.of(
                 rounded(error.worst()), String.valueOf(error.missing() + error.extra()), verdict);
     }

@@ -32,7 +32,7 @@ public record LeftOutNote(List<String> lines) {
     public static LeftOutNote of(Study study, StudyWords words) {
         var points = new LinkedHashMap<String, Map<Verdict.Kind, List<Measurement>>>();
         for (Measurement measured : study.measurements())
-            if (!measured.cost().timed() && measured.kind().compareTo(Verdict.Kind.REFUSED) >= 0)
+            if (!measured.cost().timed() && !measured.isAnswered())
                 points.computeIfAbsent(
                                 measured.method(), method -> new EnumMap<>(Verdict.Kind.class))
                         .computeIfAbsent(measured.kind(), kind -> new ArrayList<>())

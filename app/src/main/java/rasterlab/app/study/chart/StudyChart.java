@@ -14,7 +14,7 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.XYStyler;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.chart.LeaderColumn;
+import rasterlab.app.chart.LineNames;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.rooms.LabRooms;
@@ -39,9 +39,8 @@ public final class StudyChart {
         var note = LeftOutNote.of(study, words);
         int height = ChartLook.HEIGHT - note.height();
         List<String> names = looks(study, paper).keySet().stream().map(words::called).toList();
-        int column = LeaderColumn.width(names, graphics.getFontMetrics(LeaderColumn.FONT));
         chart(study, words, paper)
-                .paint(graphics, ChartLook.WIDTH - column - LineNames.MARGIN, height);
+                .paint(graphics, ChartLook.WIDTH - LineNames.width(names, graphics), height);
         note.paint(graphics, paper.note(), height);
     }
 
@@ -58,10 +57,9 @@ public final class StudyChart {
         looks(study, paper)
                 .forEach(
                         (method, look) -> {
+                            SizeLabels.SizePoint end = end(method, points(study), errors);
                             names.add(
-                                    words.called(method),
-                                    end(method, points(study), errors),
-                                    look.color());
+                                    words.called(method), end.cost(), end.position(), look.color());
                             for (List<Measurement> line : lines(method, points(study))) {
                                 add(chart, words.called(method), look, line, errors);
                                 label(sizes, look, line, errors, point -> words.size(study, point));

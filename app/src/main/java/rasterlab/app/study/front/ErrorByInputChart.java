@@ -15,7 +15,6 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Regime;
 import rasterlab.engine.study.Study;
-import rasterlab.engine.study.Verdict;
 
 /**
  * The error of each method along the size of its input: exact results in one band below, those that
@@ -59,7 +58,7 @@ public final class ErrorByInputChart implements StudyPicture {
     }
 
     private static boolean isFailed(Measurement one) {
-        return one.kind().compareTo(Verdict.Kind.REFUSED) >= 0;
+        return !one.isAnswered();
     }
 
     /** Whether a point has a place in the row of failures. */

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.study.CountedStudy;
@@ -92,6 +93,29 @@ class RankingTextTest {
     @Test
     void aStudyThatWasStoppedSaysSo() {
         assertTrue(text(study(CALM, false), ReportLanguage.EN).contains("Stopped before its end"));
+    }
+
+    @Test
+    @DisplayName("an order of a few rounds is told as one of many")
+    void fewRoundsAreSaidToTellLess() {
+        Study study = study(CALM, true);
+        assertFalse(text(study, ReportLanguage.EN).contains("Fewer than"));
+        var few = new ArrayList<Measurement>();
+        for (Measurement one : study.measurements())
+            few.add(timed(one.method(), one.cost().rounds().subList(0, 7), 1));
+        assertTrue(text(study.with(few), ReportLanguage.EN).contains("Fewer than 8 rounds"));
+        assertTrue(text(study.with(few), ReportLanguage.RU).contains("Прогонов меньше 8"));
+    }
+
+    @Test
+    @DisplayName("a study that timed nothing before it was stopped says nothing of it")
+    void studyWithoutARoundSaysWhy() {
+        Study study = study(CALM, false);
+        var untimed = new ArrayList<Measurement>();
+        for (Measurement one : study.measurements()) untimed.add(timed(one.method(), List.of(), 1));
+        String said = text(study.with(untimed), ReportLanguage.EN);
+        assertTrue(said.startsWith("Stopped before the first round"), said);
+        assertEquals("", text(study(CALM, true).with(untimed), ReportLanguage.EN));
     }
 
     @Test
