@@ -220,7 +220,7 @@ class RussianComplaintsTest {
             value = {
                 "render vase --depth-cue 3 | получено 3",
                 "render vase --depth-cue 2.5 | получено 2.5",
-                "render vase --near 5000 --far 100 | near 5000, far 100",
+                "render vase --near 5000 --far 100 | --far 100, получено 5000",
                 "render cyclic-overlap --visibility convex | на расстоянии 150 единиц",
             })
     void numbersAreAsOneTypesThem(String call, String end) {
