@@ -36,6 +36,11 @@ public abstract class Format<C, I, O> {
     /** The fields of an input. */
     public abstract List<Field<?>> input();
 
+    /** The fields that go together in an input, a list for each form that it may have. */
+    public List<List<Field<?>>> forms() {
+        return List.of(input());
+    }
+
     /** Whether an input may have fields whose names {@link #read} looks at by itself. */
     public boolean open() {
         return false;

@@ -102,10 +102,13 @@ final class DrawnSource implements ValueSource {
         return alike ? last : count(least, most);
     }
 
+    /** Of a direction some numbers may be 0: it lies along an axis then. */
     @Override
     public double[] numbers(int least, int most) {
         var drawn = new double[count(least, most)];
-        for (int i = 0; i < drawn.length; i++) drawn[i] = number();
+        boolean along = random.nextInt(4) == 0;
+        for (int i = 0; i < drawn.length; i++)
+            drawn[i] = along && random.nextBoolean() ? 0 : number();
         return drawn;
     }
 

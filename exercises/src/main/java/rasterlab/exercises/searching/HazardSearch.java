@@ -25,7 +25,8 @@ import rasterlab.engine.study.Verdict;
  *
  * <p>Each input is either drawn from the topic's description or made of one that is kept, by a few
  * changes. Kept are the study's own inputs and those that bring a worse error than all before. A
- * method that is never wrong but sometimes inexact is told by such an input when the time is over.
+ * method that is never wrong but sometimes inexact is told by such an input when the time is over;
+ * so is a mutant that refuses an input for which all methods that promise to be right are exact.
  */
 public final class HazardSearch<C, I, O> {
     /** The wall time of one method, and of the exact answer, for one input. */
@@ -54,6 +55,7 @@ public final class HazardSearch<C, I, O> {
 
     private final Topic<C, I, O> topic;
     private final Method<C> method;
+    private final boolean mutant;
     private final List<Method<C>> witnesses;
     private final SearchedInputs<C, I, O> inputs;
     private final int seed;
@@ -82,15 +84,21 @@ public final class HazardSearch<C, I, O> {
     /** Place among the kept ones of what was changed last; -1 where it was drawn. */
     private int changedOf = -1;
 
+    /** An input that tells the method where none on which it fails is found. */
     private Optional<Failing> inexact = Optional.empty();
 
     /** A tree on which the method earned that verdict. */
     private record Failing(JsonNode tree, Verdict verdict) {}
 
     private HazardSearch(
-            Topic<C, I, O> topic, Method<C> method, int seed, SearchListener listener) {
+            Topic<C, I, O> topic,
+            Method<C> method,
+            boolean mutant,
+            int seed,
+            SearchListener listener) {
         this.topic = topic;
         this.method = method;
+        this.mutant = mutant;
         this.seed = seed;
         this.listener = new LastFind(listener);
         witnesses =
@@ -120,10 +128,14 @@ public final class HazardSearch<C, I, O> {
         for (Mutant<C> mutant : topic.allMutants())
             if (mutant.name().equals(method))
                 return new HazardSearch<>(
-                        topic, Method.failing(method, mutant.implementation()), seed, listener);
+                        topic,
+                        Method.failing(method, mutant.implementation()),
+                        true,
+                        seed,
+                        listener);
         Method<C> named =
                 Named.find(topic.name() + " method", method, topic.methods(), Method::name);
-        return new HazardSearch<>(topic, named, seed, listener);
+        return new HazardSearch<>(topic, named, false, seed, listener);
     }
 
     /**
@@ -206,7 +218,10 @@ public final class HazardSearch<C, I, O> {
         if (verdict.isEmpty()) return Optional.empty();
         var here = new Failing(tree, verdict.get());
         if (fails(here.verdict.kind())) return Optional.of(here);
-        if (here.verdict.kind() == Verdict.Kind.DEGRADED && inexact.isEmpty()) {
+        boolean mild =
+                here.verdict.kind() == Verdict.Kind.DEGRADED
+                        || here.verdict.kind() == Verdict.Kind.REFUSED && mutant;
+        if (mild && inexact.isEmpty()) {
             inexact = Optional.of(here);
             listener.keep(find(tree, here.verdict, tried, passed()));
         }
@@ -249,11 +264,14 @@ public final class HazardSearch<C, I, O> {
         }
         if (over.getAsBoolean()) return Optional.empty();
         Verdict verdict = judging.value().apply(method);
-        if (verdict.kind() == Verdict.Kind.EXACT || verdict.kind() == Verdict.Kind.REFUSED)
-            return Optional.of(verdict);
+        boolean refused = verdict.kind() == Verdict.Kind.REFUSED;
+        if (verdict.kind() == Verdict.Kind.EXACT || refused && !mutant) return Optional.of(verdict);
         boolean witnessed =
-                witnesses.isEmpty()
-                        || witnesses.stream().anyMatch(each -> isExact(judging.value(), each));
+                refused
+                        ? witnesses.stream().allMatch(each -> isExact(judging.value(), each))
+                        : witnesses.isEmpty()
+                                || witnesses.stream()
+                                        .anyMatch(each -> isExact(judging.value(), each));
         return witnessed ? Optional.of(verdict) : Optional.empty();
     }
 

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.study.Call;
 import rasterlab.engine.study.Format;
@@ -74,10 +75,12 @@ final class SearchedInputs<C, I, O> {
     Optional<JsonNode> drawn(Random random, boolean calm) {
         try {
             var source = new DrawnSource(random, calm);
+            List<List<Field<?>>> forms = format.forms();
+            int form = forms.size() == 1 ? 0 : random.nextInt(forms.size());
             Given given =
                     format.open()
-                            ? source.openObject(format.input())
-                            : source.object(format.input());
+                            ? source.openObject(forms.get(form))
+                            : source.object(forms.get(form));
             return Optional.of(tree(format.read(given)));
         } catch (IOException e) {
             throw new UncheckedIOException(e);

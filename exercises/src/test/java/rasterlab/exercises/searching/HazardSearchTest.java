@@ -14,6 +14,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
@@ -138,6 +139,25 @@ class HazardSearchTest {
         Find find = search.search(TIME, () -> false).orElseThrow();
         assertEquals(Verdict.Kind.WRONG, find.verdict().kind(), find.input());
         assertTrue(find.tried() <= 200, () -> find.tried() + " inputs");
+    }
+
+    @ParameterizedTest(name = "the parameters of {0} that go together are not drawn together")
+    @ValueSource(strings = {"about-y-clockwise", "scale-z-flattens-x-y", "axis-moves"})
+    void formsOfAnInputAreDrawnOneByOne(String mutant) {
+        HazardSearch<?, ?, ?> search = HazardSearch.of("matrix", mutant, 1, new Heard());
+        Find find = search.search(TIME, () -> false).orElseThrow();
+        assertEquals(Verdict.Kind.WRONG, find.verdict().kind(), find.input());
+    }
+
+    @Test
+    @DisplayName("a mutant that refuses what right methods answer is not told by that")
+    void wrongRefusalOfAMutantIsFound() {
+        var inputs = new AtomicInteger();
+        Find find =
+                HazardSearch.of("shade-face", "no-area-refused", 1, new Heard())
+                        .search(TIME, () -> inputs.incrementAndGet() > 5_000)
+                        .orElseThrow();
+        assertEquals(Verdict.Kind.REFUSED, find.verdict().kind(), find.input());
     }
 
     @Test

@@ -78,6 +78,25 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
         return fields();
     }
 
+    @Override
+    public List<List<Field<?>>> forms() {
+        return NamedMatrices.all().stream().map(MatrixFormat::form).toList();
+    }
+
+    /** The name of that matrix, and its parameters. */
+    private static List<Field<?>> form(NamedMatrix matrix) {
+        var fields = new ArrayList<Field<?>>();
+        fields.add(Field.required(NAME.name(), Shape.word(List.of(matrix.name()))));
+        for (MatrixParameter parameter : matrix.parameters()) {
+            Field<double[]> field = PARAMETERS.get(parameter.name());
+            fields.add(
+                    parameter.otherwise().isPresent()
+                            ? field
+                            : Field.required(field.name(), field.shape()));
+        }
+        return fields;
+    }
+
     /** A matrix by its name. */
     public static Shape<MatrixCall> shape() {
         return new MatrixCallShape();
