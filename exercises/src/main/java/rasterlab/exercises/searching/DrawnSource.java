@@ -102,7 +102,7 @@ final class DrawnSource implements ValueSource {
         return alike ? last : count(least, most);
     }
 
-    /** Of a direction some numbers may be 0: it lies along an axis then. */
+    /** Draws numbers of which some may be 0, as in a direction that lies along an axis. */
     @Override
     public double[] numbers(int least, int most) {
         var drawn = new double[count(least, most)];

@@ -22,6 +22,11 @@ final class BusyProcesses implements AutoCloseable {
         for (Process one : processes) one.getInputStream().read();
     }
 
+    /** How many of them are at work. */
+    long running() {
+        return processes.stream().filter(Process::isAlive).count();
+    }
+
     @Override
     public void close() {
         processes.forEach(Process::destroyForcibly);

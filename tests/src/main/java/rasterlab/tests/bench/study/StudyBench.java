@@ -55,7 +55,7 @@ public final class StudyBench {
         printRepetition(runs);
         printSlowed();
         try (var busy = new BusyProcesses(BUSY)) {
-            printBusy(agreed(runs), runs(repeated));
+            printBusy(busy.running(), agreed(runs), runs(repeated));
         }
         out.println(words.text("study.load", load()));
     }
@@ -73,7 +73,14 @@ public final class StudyBench {
         Path file = Files.createTempFile("rasterlab", ".json");
         for (int i = 0; i < count; i++) {
             List<String> call =
-                    List.of("study", TOPIC, "--quick", "--seed", "" + i, "--out", file.toString());
+                    List.of(
+                            "study",
+                            TOPIC,
+                            "--quick",
+                            "--seed",
+                            String.valueOf(i),
+                            "--out",
+                            file.toString());
             Process study =
                     new ProcessBuilder(JavaCommand.of(List.of(), Main.class.getName(), call))
                             .redirectOutput(ProcessBuilder.Redirect.DISCARD)
@@ -98,8 +105,12 @@ public final class StudyBench {
                 both += runs.get(i).bothTold(runs.get(j));
                 pairs += runs.get(i).pairs();
             }
-        print("study.tau", percent(both, pairs), number(tau), number(LEAST_TAU), tau >= LEAST_TAU);
-        print("study.near", "", number(near), number(1), near >= 1);
+        print(
+                words.text("study.tau", percent(both, pairs)),
+                number(tau),
+                number(LEAST_TAU),
+                tau >= LEAST_TAU);
+        print(words.text("study.near"), number(near), number(1), near >= 1);
     }
 
     private void printSlowed() {
@@ -121,12 +132,11 @@ public final class StudyBench {
         double goal = SLOWED_FOUND * repeated;
         for (int i = 0; i < slower.length; i++)
             print(
-                    "study.slowed",
-                    topic.workloads().get(i).name(),
+                    words.text("study.slowed", topic.workloads().get(i).name()),
                     slower[i] + "/" + repeated,
                     number(goal),
                     slower[i] >= goal);
-        print("study.slowed.wrong", "", String.valueOf(faster), "0", faster == 0);
+        print(words.text("study.slowed.wrong"), String.valueOf(faster), "0", faster == 0);
     }
 
     /** The pairs that a run tells apart and no other run puts in the opposite order. */
@@ -137,7 +147,7 @@ public final class StudyBench {
         return agreed;
     }
 
-    private void printBusy(Set<StudyRun.Faster> known, List<StudyRun> runs) {
+    private void printBusy(long busy, Set<StudyRun.Faster> known, List<StudyRun> runs) {
         long told = 0;
         long wrong = 0;
         long pairs = 0;
@@ -146,13 +156,12 @@ public final class StudyBench {
             pairs += run.pairs();
             wrong += run.told().stream().filter(one -> known.contains(one.reversed())).count();
         }
-        print("study.busy", percent(told, pairs), wrong + "/" + told, "0", wrong == 0);
+        String said = words.text("study.busy", String.valueOf(busy), percent(told, pairs));
+        print(said, wrong + "/" + told, "0", wrong == 0);
     }
 
-    private void print(String key, String of, String measured, String goal, boolean met) {
-        out.printf(
-                "%s | %s | %s | %s%n",
-                words.text(key, of), measured, goal, words.text(met ? "yes" : "no"));
+    private void print(String said, String measured, String goal, boolean met) {
+        out.printf("%s | %s | %s | %s%n", said, measured, goal, words.text(met ? "yes" : "no"));
     }
 
     private static String number(double value) {

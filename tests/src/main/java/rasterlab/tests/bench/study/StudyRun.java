@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * What one run of {@code ./lab study} says.
+ * Result of one run of {@code ./lab study}.
  *
  * @param told the pairs that it tells apart
  * @param pairs number of all pairs
@@ -17,7 +17,7 @@ record StudyRun(Set<Faster> told, int pairs, Map<String, Double> medians) {
     /** The largest share that two medians of the same load may differ by. */
     static final double NEAR = 0.15;
 
-    /** At that workload one method is faster than another. */
+    /** A pair of which the first method is faster at that workload. */
     record Faster(String workload, String method, String other) {
         Faster reversed() {
             return new Faster(workload, other, method);
