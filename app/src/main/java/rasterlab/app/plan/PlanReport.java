@@ -39,7 +39,8 @@ public record PlanReport(PlanTrial trial, PlanPath path, String costs, List<Comb
         if (texts.has(key)) return texts.text(key);
         return chosen.replaceAll("^part ", texts.text("part") + " ")
                 .replaceAll(": nothing$", ": " + texts.text("nothing"))
-                .replaceAll(" faces$", " " + texts.text("faces"));
+                .replaceAll(" faces$", " " + texts.text("faces"))
+                .replaceAll(", inside ÷", ", " + texts.text("inside") + " ÷");
     }
 
     /** Writes it for programs: one object. */

@@ -16,6 +16,11 @@ public record CameraRange(SphericalView at, double turn, double zoom) {
 
     static final double ZOOM = 1.05;
 
+    /**
+     * The room of a plan that has fewer faces within the outline, so that few pictures need one.
+     */
+    static final double OUTLINE = Math.toRadians(8);
+
     /** The room of a plan whose proofs hold from all around: farther off, its costs are others. */
     static final double WIDE = Math.toRadians(30);
 
@@ -24,14 +29,9 @@ public record CameraRange(SphericalView at, double turn, double zoom) {
         Bounds.requireAtLeast("zoom", zoom, 1);
     }
 
-    /** The cameras near one. */
-    static CameraRange around(SphericalView at) {
-        return new CameraRange(at, TURN, ZOOM);
-    }
-
-    /** The cameras at about one's distance, on its side of the scene. */
-    static CameraRange wide(SphericalView at) {
-        return new CameraRange(at, WIDE, ZOOM);
+    /** The cameras at about one's distance that have turned by at most an angle, in radians. */
+    static CameraRange turned(SphericalView at, double turn) {
+        return new CameraRange(at, turn, ZOOM);
     }
 
     /** One camera alone. */

@@ -99,8 +99,10 @@ public final class Planner {
         List<PlanDecision> decisions = new ArrayList<>(light.decisions());
         ViewedMesh view = whole.seen().viewed();
         KnownScene lit = known(light.scene());
+        Plan.PlanCost all = fullCost(full, whole.areas());
         Optional<ShapePlan.PlannedShapes> parts =
-                new ShapePlan(lit, view.transform(), view.fit(), tolerance).plan();
+                new ShapePlan(lit, view.transform(), view.fit(), tolerance, all.milliseconds())
+                        .plan();
         parts.ifPresent(result -> decisions.addAll(result.decisions()));
         RenderRequest request =
                 full.with(parts.map(ShapePlan.PlannedShapes::scene).orElse(light.scene()));
@@ -119,26 +121,26 @@ public final class Planner {
                         .withShading(shading.planned(sight))
                         .withTexture(texturing.mode())
                         .withSavings(new Savings(shading.levels(), sight.frontsOnly()));
-        Plan.PlanCost all = fullCost(full, whole.areas());
         if (sight.milliseconds() > WORTH * all.milliseconds())
             return whole(full, tolerance, kept(decisions, full, sight, all), all, start);
         boolean here = sight.fromHere() || texturing.fromHere();
-        boolean near =
-                !shading.around() || parts.map(ShapePlan.PlannedShapes::narrow).orElse(false);
+        double turn =
+                Math.min(
+                        shading.around() ? CameraRange.WIDE : CameraRange.TURN,
+                        parts.map(ShapePlan.PlannedShapes::turn).orElse(CameraRange.WIDE));
         return new Plan(
                 full,
                 request.with(look),
                 tolerance,
                 decisions,
-                range(full.camera(), here, near),
+                range(full.camera(), here, turn),
                 all,
                 new Plan.PlanCost(sight.work(), sight.milliseconds()),
                 (System.nanoTime() - start) / 1e6);
     }
 
-    private static CameraRange range(SphericalView at, boolean here, boolean near) {
-        if (here) return CameraRange.only(at);
-        return near ? CameraRange.around(at) : CameraRange.wide(at);
+    private static CameraRange range(SphericalView at, boolean here, double turn) {
+        return here ? CameraRange.only(at) : CameraRange.turned(at, turn);
     }
 
     /** The depths that a scene has in a plan's range; empty in parallel projection. */
@@ -188,7 +190,7 @@ public final class Planner {
                 full,
                 tolerance,
                 decisions,
-                CameraRange.wide(full.camera()),
+                CameraRange.turned(full.camera(), CameraRange.WIDE),
                 cost,
                 cost,
                 (System.nanoTime() - start) / 1e6);

@@ -36,6 +36,7 @@ final class ShapePart {
     private final boolean any;
     private final Map<Integer, ShapeSteps> tried = new HashMap<>();
     private final Map<Integer, ShapeSteps> glanced = new HashMap<>();
+    private final Map<List<Integer>, BlockBounds> blocks = new HashMap<>();
 
     ShapePart(Scene scene, SceneShape shape, int finish) {
         this.shape = shape;
@@ -170,6 +171,12 @@ final class ShapePart {
      */
     ShapeSteps atLeast(int u, int v) {
         return glanced.computeIfAbsent(u << 16 | v, key -> ShapeSteps.atLeast(shape, u, v));
+    }
+
+    /** Measures blocks of the cells that steps make, once for the same ones. */
+    BlockBounds blocks(int u, int v, int side) {
+        return blocks.computeIfAbsent(
+                List.of(u, v, side), key -> BlockBounds.of(shape, u, v, side));
     }
 
     private static double levelsPerRadian(Scene scene, int finish) {

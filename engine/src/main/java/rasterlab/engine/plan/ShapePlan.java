@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.shape.SceneShape;
 import rasterlab.engine.sight.Reason;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.ViewTransform;
@@ -17,6 +19,10 @@ import rasterlab.engine.transform.ViewTransform;
  * coarser. An angle ε between normals changes diffuse light by at most ε·k_d and a highlight by ε
  * times the steepest slope of cosˢ. A texture that is moved against the pixels shows what lies
  * between them, which no pixel had: it may move by no more than its steepest slope allows.
+ *
+ * <p>Only the outline needs that. Within it a rise moves nothing that is seen, but for the normal
+ * that a pixel gets: where a part has no texture, blocks of its cells become one face each ({@link
+ * InnerBlocks}).
  */
 final class ShapePlan {
     /** Meshes of fewer faces are left as they are. */
@@ -45,53 +51,94 @@ final class ShapePlan {
     private final PictureFit fit;
     private final double pixels;
     private final double levels;
+    private final double milliseconds;
 
     /**
      * The outcome for a scene.
      *
-     * @param narrow whether it holds near the camera only, since parts are out of sight
+     * @param turn of the camera for which it holds, radians
      */
-    record PlannedShapes(Scene scene, List<PlanDecision> decisions, boolean narrow) {}
+    record PlannedShapes(Scene scene, List<PlanDecision> decisions, double turn) {}
 
-    ShapePlan(KnownScene known, ViewTransform transform, PictureFit fit, Tolerance tolerance) {
+    /**
+     * How one part is made.
+     *
+     * @param steps that it is made in; empty where it keeps its faces or is out of sight
+     * @param gone whether it is out of sight
+     */
+    private record PlannedPart(
+            ShapePart part,
+            boolean gone,
+            Optional<ShapeSteps> steps,
+            Optional<InnerBlocks> inner) {}
+
+    /**
+     * @param milliseconds that the full picture takes
+     */
+    ShapePlan(
+            KnownScene known,
+            ViewTransform transform,
+            PictureFit fit,
+            Tolerance tolerance,
+            double milliseconds) {
         this.known = known;
         this.transform = transform;
         this.fit = fit;
         pixels = tolerance.pixels() / OUTLINES;
         levels = LEVELS * tolerance.levels();
+        this.milliseconds = milliseconds;
     }
 
     /** Leaves out what it can; empty where that is nothing. */
     Optional<PlannedShapes> plan() {
+        List<PlannedPart> parts = new ArrayList<>();
         List<PlanDecision> decisions = new ArrayList<>();
-        List<Integer> steps = new ArrayList<>();
         boolean changed = false;
         boolean any = false;
-        boolean narrow = false;
+        double turn = CameraRange.WIDE;
         for (ShapePart part : known.parts()) {
-            Optional<ShapeSteps> full = part.full();
-            boolean gone = outOfSight(part);
-            if (full.isEmpty()) {
-                if (gone) return Optional.empty();
-                any |= part.any();
-                steps.addAll(List.of(-1, -1));
-            } else if (gone) {
-                decisions.add(gone(part, full.get()));
-                steps.addAll(List.of(0, 0));
-                changed = narrow = true;
-            } else {
-                ShapeSteps least = full.get();
-                if (least.faces() >= FEW && part.mayBeCoarser() && alone(part))
-                    least = fewest(part, least);
-                changed |= least.faces() < full.get().faces();
-                any = true;
-                steps.addAll(List.of(least.u(), least.v()));
-                decisions.add(decision(part, least, full.get()));
+            PlannedPart planned = planned(part);
+            parts.add(planned);
+            any |= part.any() && !planned.gone;
+            if (part.full().isEmpty()) {
+                if (planned.gone) return Optional.empty();
+                continue;
             }
+            PlanDecision decision =
+                    planned.gone ? gone(part, part.full().get()) : decision(planned);
+            decisions.add(decision);
+            changed |= decision.saves();
+            if (planned.gone) turn = Math.min(turn, CameraRange.TURN);
+            if (planned.inner.isPresent()) turn = Math.min(turn, CameraRange.OUTLINE);
         }
         if (!changed || !any) return Optional.empty();
-        Scene scene = known.coarser(steps, () -> made(steps));
-        return Optional.of(new PlannedShapes(scene, decisions, narrow));
+        return Optional.of(new PlannedShapes(made(parts), decisions, turn));
+    }
+
+    private PlannedPart planned(ShapePart part) {
+        Optional<ShapeSteps> full = part.full();
+        if (outOfSight(part))
+            return new PlannedPart(part, true, Optional.empty(), Optional.empty());
+        if (full.isEmpty()) return new PlannedPart(part, false, full, Optional.empty());
+        ShapeSteps least = full.get();
+        if (least.faces() < FEW || !part.mayBeCoarser() || !alone(part))
+            return new PlannedPart(part, false, full, Optional.empty());
+        least = fewest(part, least);
+        return new PlannedPart(part, false, Optional.of(least), inner(part, least, full.get()));
+    }
+
+    /** The blocks of cells that may be one face each; empty where they save too little. */
+    private Optional<InnerBlocks> inner(ShapePart part, ShapeSteps least, ShapeSteps full) {
+        if (part.levelsPerPixel() > 0) return Optional.empty();
+        var allowed =
+                new InnerBlocks.Allowed(
+                        full,
+                        part.shape().isConvexBody(),
+                        part.levelsPerRadian(),
+                        pixels / pixelsPerUnit(part),
+                        levels);
+        EyeRange eye = EyeRange.of(transform, CameraRange.OUTLINE);
+        return InnerBlocks.fewest(part, least, eye, allowed, milliseconds);
     }
 
     /**
@@ -104,15 +151,37 @@ final class ShapePlan {
         return true;
     }
 
-    private Scene made(List<Integer> steps) {
+    /** Meshes that are the same from all sides are made once. */
+    private Scene made(List<PlannedPart> parts) {
+        if (parts.stream().anyMatch(planned -> planned.inner.isPresent())) return scene(parts);
+        List<Integer> steps = new ArrayList<>();
+        for (PlannedPart planned : parts) {
+            int none = planned.gone ? 0 : -1;
+            steps.add(planned.steps.map(ShapeSteps::u).orElse(none));
+            steps.add(planned.steps.map(ShapeSteps::v).orElse(none));
+        }
+        return known.coarser(steps, () -> scene(parts));
+    }
+
+    private Scene scene(List<PlannedPart> parts) {
+        PlannedPart first = parts.get(0);
+        if (parts.size() == 1 && first.steps.isPresent())
+            return ShapeScene.of(known.scene(), mesh(first, first.steps.get()));
         var scene = new ShapeScene();
-        for (ShapePart part : known.parts()) {
-            int u = steps.get(2 * part.finish());
-            int v = steps.get(2 * part.finish() + 1);
-            if (u < 0) addAsItIs(scene, part.finish());
-            else if (u > 0) scene.add(part.shape().faces(u, v), part.finish());
+        for (PlannedPart planned : parts) {
+            if (planned.gone) continue;
+            int finish = planned.part.finish();
+            if (planned.steps.isPresent()) scene.add(mesh(planned, planned.steps.get()), finish);
+            else addAsItIs(scene, finish);
         }
         return scene.of(known.scene());
+    }
+
+    private static Mesh mesh(PlannedPart planned, ShapeSteps steps) {
+        SceneShape shape = planned.part.shape();
+        return planned.inner
+                .map(inner -> shape.faces(steps.u(), steps.v(), inner))
+                .orElseGet(() -> shape.faces(steps.u(), steps.v()));
     }
 
     private static PlanDecision gone(ShapePart part, ShapeSteps full) {
@@ -123,14 +192,39 @@ final class ShapePlan {
                 Reason.of("beyond", "all of it is beyond one side of the picture"));
     }
 
-    private PlanDecision decision(ShapePart part, ShapeSteps least, ShapeSteps full) {
+    private PlanDecision decision(PlannedPart planned) {
+        ShapePart part = planned.part;
+        ShapeSteps full = part.full().orElseThrow();
+        ShapeSteps least = planned.steps.orElseThrow();
         boolean same = least.faces() == full.faces();
-        double moved = same ? 0 : (least.sag() + full.sag()) * pixelsPerUnit(part);
-        double lit = same ? 0 : levels(least, part, full, pixelsPerUnit(part));
+        double perUnit = pixelsPerUnit(part);
+        double moved = same ? 0 : (least.sag() + full.sag()) * perUnit;
+        double lit = same ? 0 : levels(least, part, full, perUnit);
+        String all = "part %d: %d×%d".formatted(part.finish() + 1, full.u(), full.v());
+        String some = "part %d: %d×%d".formatted(part.finish() + 1, least.u(), least.v());
+        if (planned.inner.isPresent()) {
+            InnerBlocks inner = planned.inner.get();
+            double within = (inner.sag() + full.sag()) * perUnit;
+            return new PlanDecision(
+                    "tessellation",
+                    "%s, inside ÷%d".formatted(some, inner.side()),
+                    all,
+                    Reason.of(
+                            "inside",
+                            "κs²/8 is %.3f px on the outline and %.3f px inside, where %d×%d"
+                                    + " cells are one: %.2f levels",
+                            moved,
+                            within,
+                            inner.side(),
+                            inner.side(),
+                            Math.max(lit, inner.levels())),
+                    Math.max(lit, inner.levels()),
+                    Math.max(moved, within));
+        }
         return new PlanDecision(
                 "tessellation",
-                "part %d: %d×%d".formatted(part.finish() + 1, least.u(), least.v()),
-                "part %d: %d×%d".formatted(part.finish() + 1, full.u(), full.v()),
+                some,
+                all,
                 same
                         ? Reason.of("needed", "fewer faces would leave the tolerance")
                         : Reason.of(

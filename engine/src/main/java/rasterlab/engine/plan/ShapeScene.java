@@ -39,11 +39,20 @@ final class ShapeScene {
                 new Mesh(xyz.build().toArray(), faces.toArray(int[][]::new))
                         .withNormals(normals.build().toArray())
                         .withTexture(texture.build().toArray());
+        return of(from, mesh, finishOf.build().toArray());
+    }
+
+    /** The scene with the faces of its only shape instead of its own. */
+    static Scene of(Scene from, Mesh mesh) {
+        return of(from, mesh, new int[mesh.faceCount()]);
+    }
+
+    private static Scene of(Scene from, Mesh mesh, int[] finishOf) {
         return new Scene(
                 from.name(),
                 mesh,
                 from.finishes(),
-                finishOf.build().toArray(),
+                finishOf,
                 from.light(),
                 from.backgroundRgb(),
                 from.defaultCamera(),

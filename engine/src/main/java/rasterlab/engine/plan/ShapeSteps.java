@@ -29,12 +29,10 @@ import rasterlab.engine.scene.shape.SurfacePoint;
  * @param v steps across
  * @param faces that they make
  * @param sag the largest distance of a face from the surface, world units
- * @param bend the largest angle by which a normal that is seen is off, radians
+ * @param mixed the largest angle between a normal mixed from corners and the surface's, radians
+ * @param turn the largest angle that normals turn by over a step, radians
  */
-record ShapeSteps(int u, int v, int faces, double sag, double bend) {
-    /** The part of the largest rise that the middles may miss. */
-    private static final double ROOM = 1.1;
-
+record ShapeSteps(int u, int v, int faces, double sag, double mixed, double turn) {
     /** Columns of cells that are looked at. */
     private static final int COLUMNS = 24;
 
@@ -58,11 +56,12 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
     private static ShapeSteps of(SceneShape shape, int u, int v, int columns, int rows) {
         int faces = 0;
         double sag = 0;
-        double bend = 0;
+        double mixed = 0;
+        double turn = 0;
         for (Patch patch : shape.patches()) {
             int across = patch.vSteps(v);
             faces += u * across;
-            var cell = new Cell(patch, rows > FEW && across < BENT ? PLACES : 1);
+            var cell = new SurfaceCell(patch, rows > FEW && across < BENT ? PLACES : 1);
             int some = Math.min(u, columns);
             int few = Math.min(across, rows);
             for (int i = 0; i < some; i++)
@@ -75,10 +74,16 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
                             at(patch.v().from(), patch.v().to(), j, across),
                             at(patch.v().from(), patch.v().to(), j + 1, across));
                 }
-            sag = Math.max(sag, cell.sag);
-            bend = Math.max(bend, cell.bend);
+            sag = Math.max(sag, cell.sag());
+            mixed = Math.max(mixed, cell.mixed());
+            turn = Math.max(turn, cell.turn());
         }
-        return new ShapeSteps(u, v, faces, ROOM * sag, ROOM * bend);
+        return new ShapeSteps(u, v, faces, sag, mixed, turn);
+    }
+
+    /** The largest angle by which a normal that is seen is off, on the outline too, radians. */
+    double bend() {
+        return Math.max(mixed, turn / 2);
     }
 
     private static double at(double from, double to, int k, int steps) {
@@ -143,105 +148,5 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
     /** The fewest steps of u that a plan makes. */
     static int fewestColumns(SceneShape shape) {
         return shape.patches().stream().anyMatch(patch -> patch.u().round()) ? 4 : 1;
-    }
-
-    /** One cell's corners and the places between them. */
-    private static final class Cell {
-        private final Patch patch;
-        private final int places;
-        private final SurfacePoint point = new SurfacePoint();
-        private double sag;
-        private double bend;
-
-        /**
-         * @param places between two rows that are compared
-         */
-        Cell(Patch patch, int places) {
-            this.patch = patch;
-            this.places = places;
-        }
-
-        void look(double u0, double u1, double v0, double v1) {
-            double[] a = at(u0, v0);
-            double[] b = at(u1, v0);
-            double[] c = at(u1, v1);
-            double[] d = at(u0, v1);
-            double u = (u0 + u1) / 2;
-            if (patch.isFlat()) {
-                border(a, b, u, v0);
-                border(d, c, u, v1);
-                return;
-            }
-            compare(a, b, 0.5, u, v0);
-            compare(d, c, 0.5, u, v1);
-            for (int k = 1; k <= places; k++) {
-                double part = (double) k / (places + 1);
-                double v = v0 + part * (v1 - v0);
-                compare(a, d, part, u0, v);
-                compare(b, c, part, u1, v);
-                compare(a, c, part, u0 + part * (u1 - u0), v);
-            }
-        }
-
-        /** A side of a flat patch, which is off the surface only if it is one of its border. */
-        private void border(double[] p, double[] q, double u, double v) {
-            boolean end = v == patch.v().from() || v == patch.v().to();
-            if (end) sag = Math.max(sag, apart(p, q, 0.5, at(u, v)));
-        }
-
-        private double[] at(double u, double v) {
-            patch.at(u, v, point);
-            return new double[] {
-                point.x(),
-                point.y(),
-                point.z(),
-                point.normalX(),
-                point.normalY(),
-                point.normalZ(),
-                point.s(),
-                point.t()
-            };
-        }
-
-        private static double apart(double[] p, double[] q, double part, double[] there) {
-            double off = 0;
-            for (int i = 0; i < 3; i++) {
-                double aside = p[i] + part * (q[i] - p[i]) - there[i];
-                off += aside * aside;
-            }
-            return Math.sqrt(off);
-        }
-
-        private void compare(double[] p, double[] q, double part, double u, double v) {
-            double[] there = at(u, v);
-            double dot = 0;
-            double length = 0;
-            for (int i = 0; i < 3; i++) {
-                double mixed = p[3 + i] + part * (q[3 + i] - p[3 + i]);
-                dot += mixed * there[3 + i];
-                length += mixed * mixed;
-            }
-            sag = Math.max(sag, apart(p, q, part, there));
-            if (patch.isPole(v)) return;
-            sag = Math.max(sag, drawnAside(p, q, part, there));
-            double cosine = length > 0 ? dot / Math.sqrt(length) : -1;
-            bend = Math.max(bend, Math.acos(Math.max(-1, Math.min(1, cosine))));
-            double turned = p[3] * q[3] + p[4] * q[4] + p[5] * q[5];
-            bend = Math.max(bend, Math.acos(Math.max(-1, Math.min(1, turned))) / 2);
-        }
-
-        /** How far a texture is drawn aside, in the share of the way that its coordinates are. */
-        private static double drawnAside(double[] p, double[] q, double part, double[] there) {
-            double aside =
-                    Math.hypot(
-                            p[6] + part * (q[6] - p[6]) - there[6],
-                            p[7] + part * (q[7] - p[7]) - there[7]);
-            if (aside < 1e-12) return 0;
-            double way = Math.hypot(q[6] - p[6], q[7] - p[7]);
-            double x = q[0] - p[0];
-            double y = q[1] - p[1];
-            double z = q[2] - p[2];
-            return aside / way * Math.sqrt(x * x + y * y + z * z);
-        }
     }
 }

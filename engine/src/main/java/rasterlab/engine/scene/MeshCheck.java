@@ -1,7 +1,6 @@
 package rasterlab.engine.scene;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
 import rasterlab.engine.geometry.VertexNumber;
 
 /** The rules a {@link Mesh} keeps, with messages that name the place that breaks one. */
@@ -22,8 +21,10 @@ final class MeshCheck {
         for (int f = 0; f < faces.length; f++) {
             check.corners(f, faces[f]);
             double[] normal = check.normal(f, faces[f]);
-            check.flat(f, faces[f], normal);
-            check.convex(f, check.apart(faces[f]), normal);
+            if (faces[f].length > 3) {
+                check.flat(f, faces[f], normal);
+                check.convex(f, check.apart(faces[f]), normal);
+            }
             System.arraycopy(normal, 0, normals, 3 * f, 3);
         }
         return normals;
@@ -87,11 +88,20 @@ final class MeshCheck {
             if (!VertexNumber.exists(corner, vertices))
                 throw new IllegalArgumentException(
                         VertexNumber.refusal("face " + face + ": corner", corner, vertices));
-        long different = Arrays.stream(corners).distinct().count();
-        if (different < 3)
+        if (!threeDiffer(corners))
             throw new IllegalArgumentException(
                     "face %d: at least 3 different corners are needed, got %s"
                             .formatted(face, Arrays.toString(corners)));
+    }
+
+    private static boolean threeDiffer(int[] corners) {
+        int second = -1;
+        for (int corner : corners) {
+            if (corner == corners[0] || corner == second) continue;
+            if (second >= 0) return true;
+            second = corner;
+        }
+        return false;
     }
 
     /**
@@ -139,7 +149,8 @@ final class MeshCheck {
 
     /**
      * A polygon is convex when it turns to the left only, and once round in all: a pentagram and a
-     * square listed twice turn to the left only, but twice round.
+     * square listed twice turn to the left only, but twice round. Four corners that turn by less
+     * than half a turn each cannot go round twice.
      */
     private void convex(int face, int[] corners, double[] normal) {
         double turned = 0;
@@ -152,8 +163,9 @@ final class MeshCheck {
                 throw new IllegalArgumentException(
                         "face %d: corner %d turns inwards, faces must be convex"
                                 .formatted(face, corners[(k + 1) % corners.length]));
-            turned += Math.atan2(left, dot(in, out));
+            if (corners.length > 4) turned += Math.atan2(left, dot(in, out));
         }
+        if (corners.length <= 4) return;
         long rounds = Math.round(turned / (2 * Math.PI));
         if (rounds != 1)
             throw new IllegalArgumentException(
@@ -163,14 +175,13 @@ final class MeshCheck {
 
     /** The corners without those that lie where the next one does. */
     private int[] apart(int[] corners) {
-        return IntStream.range(0, corners.length)
-                .filter(
-                        k -> {
-                            double[] next = edge(corners[k], corners[(k + 1) % corners.length]);
-                            return dot(next, next) > 0;
-                        })
-                .map(k -> corners[k])
-                .toArray();
+        int[] apart = new int[corners.length];
+        int count = 0;
+        for (int k = 0; k < corners.length; k++) {
+            double[] next = edge(corners[k], corners[(k + 1) % corners.length]);
+            if (dot(next, next) > 0) apart[count++] = corners[k];
+        }
+        return count == corners.length ? corners : Arrays.copyOf(apart, count);
     }
 
     private double[] edge(int from, int to) {

@@ -39,6 +39,11 @@ public record Cube(double edge) implements SceneShape {
     }
 
     @Override
+    public boolean isConvexBody() {
+        return true;
+    }
+
+    @Override
     public void meet(Ray ray) {
         double enter = Double.NEGATIVE_INFINITY;
         double leave = Double.POSITIVE_INFINITY;

@@ -65,6 +65,11 @@ public record Cylinder(double radius, double height, boolean bottom, boolean top
     }
 
     @Override
+    public boolean isConvexBody() {
+        return bottom && top;
+    }
+
+    @Override
     public void meet(Ray ray) {
         meetSide(ray);
         if (bottom) Disc.meet(ray, -height / 2, radius, false);

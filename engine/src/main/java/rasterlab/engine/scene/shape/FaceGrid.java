@@ -2,9 +2,8 @@ package rasterlab.engine.scene.shape;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.stream.DoubleStream;
 import rasterlab.engine.scene.Mesh;
 
@@ -16,58 +15,78 @@ import rasterlab.engine.scene.Mesh;
  */
 final class FaceGrid {
     private final Tessellation asked;
-    private final Map<Place, Integer> vertices = new HashMap<>();
+    private final Optional<JoinedBlocks> joins;
+    private final NumberedPlaces vertices = new NumberedPlaces();
     private final List<int[]> faces = new ArrayList<>();
     private final DoubleStream.Builder normals = DoubleStream.builder();
     private final DoubleStream.Builder texture = DoubleStream.builder();
     private final SurfacePoint point = new SurfacePoint();
 
-    FaceGrid(Tessellation asked) {
+    FaceGrid(Tessellation asked, Optional<JoinedBlocks> joins) {
         this.asked = asked;
+        this.joins = joins;
     }
 
-    private record Place(double x, double y, double z) {}
-
     Mesh mesh() {
-        for (Patch patch : asked.shape().patches()) add(patch);
-        double[] xyz = new double[3 * vertices.size()];
-        vertices.forEach(
-                (place, at) -> {
-                    xyz[3 * at] = place.x;
-                    xyz[3 * at + 1] = place.y;
-                    xyz[3 * at + 2] = place.z;
-                });
-        return new Mesh(xyz, faces.toArray(int[][]::new))
+        List<Patch> patches = asked.shape().patches();
+        for (int p = 0; p < patches.size(); p++)
+            if (joins.isPresent()) new BlockFaces(this, p, joins.get()).add();
+            else addCells(patches.get(p), 0, asked.uSteps(), 0, rows(patches.get(p)));
+        return new Mesh(vertices.coordinates(), faces.toArray(int[][]::new))
                 .withNormals(normals.build().toArray())
                 .withTexture(texture.build().toArray());
     }
 
-    private void add(Patch patch) {
-        int m = asked.uSteps();
-        int n = patch.vSteps(asked.vSteps());
-        for (int i = 0; i < m; i++)
-            for (int j = 0; j < n; j++) {
-                double low = patch.v().at(j, n);
-                double high = patch.v().at(j + 1, n);
-                int[] face = new int[4];
-                int corners = 0;
-                face[corners++] = corner(patch, i, 0, low);
-                if (!patch.isPole(low)) face[corners++] = corner(patch, i, 1, low);
-                face[corners++] = corner(patch, i, 1, high);
-                if (!patch.isPole(high)) face[corners++] = corner(patch, i, 0, high);
-                faces.add(Arrays.copyOf(face, corners));
-            }
+    Tessellation asked() {
+        return asked;
     }
 
-    /** The vertex at step i + next, whose normal and texture coordinates are put down. */
-    private int corner(Patch patch, int i, int next, double v) {
-        int m = asked.uSteps();
-        if (patch.isPole(v)) {
-            patch.at(patch.u().between(i, m), v, point);
+    /** Steps of v on a patch. */
+    int rows(Patch patch) {
+        return patch.vSteps(asked.vSteps());
+    }
+
+    /** Adds a face for each cell. */
+    void addCells(Patch patch, int fromU, int toU, int fromV, int toV) {
+        for (int i = fromU; i < toU; i++)
+            for (int j = fromV; j < toV; j++) addFace(patch, i, i + 1, j, j + 1);
+    }
+
+    /** Adds one face over all cells between two steps of u and two of v. */
+    void addFace(Patch patch, int fromU, int toU, int fromV, int toV) {
+        double low = patch.v().at(fromV, rows(patch));
+        double high = patch.v().at(toV, rows(patch));
+        double middle = patch.u().between(fromU, toU, asked.uSteps());
+        int[] face = new int[4];
+        int corners = 0;
+        face[corners++] = corner(patch, fromU, low, middle);
+        if (!patch.isPole(low)) face[corners++] = corner(patch, toU, low, middle);
+        face[corners++] = corner(patch, toU, high, middle);
+        if (!patch.isPole(high)) face[corners++] = corner(patch, fromU, high, middle);
+        faces.add(Arrays.copyOf(face, corners));
+    }
+
+    /** Adds a triangle from a place to two corners, each a step of u and one of v. */
+    void addTriangle(Patch patch, double u, double v, int[] second, int[] third) {
+        patch.at(u, v, point);
+        putLook();
+        faces.add(
+                new int[] {
+                    vertex(),
+                    corner(patch, second[0], patch.v().at(second[1], rows(patch)), u),
+                    corner(patch, third[0], patch.v().at(third[1], rows(patch)), u)
+                });
+    }
+
+    /** The vertex at step {@code i} of u; its normal and texture coordinates are put down. */
+    private int corner(Patch patch, int i, double v, double middle) {
+        boolean pole = patch.isPole(v);
+        if (pole) {
+            patch.at(middle, v, point);
             putLook();
         }
-        patch.at(patch.u().at(i + next, m), v, point);
-        if (!patch.isPole(v)) putLook();
+        patch.at(patch.u().at(i, asked.uSteps()), v, point);
+        if (!pole) putLook();
         return vertex();
     }
 
@@ -76,10 +95,7 @@ final class FaceGrid {
         texture.add(point.s).add(point.t);
     }
 
-    /** Adding 0 makes −0 the 0 that it equals. */
     private int vertex() {
-        var place = new Place(point.x + 0.0, point.y + 0.0, point.z + 0.0);
-        Integer known = vertices.putIfAbsent(place, vertices.size());
-        return known == null ? vertices.size() - 1 : known;
+        return vertices.number(point.x, point.y, point.z);
     }
 }

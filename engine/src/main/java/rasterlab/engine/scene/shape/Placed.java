@@ -43,6 +43,11 @@ public final class Placed implements SceneShape {
     }
 
     @Override
+    public boolean isConvexBody() {
+        return shape.isConvexBody();
+    }
+
+    @Override
     public void meet(Ray ray) {
         double ox = ray.ox;
         double oy = ray.oy;

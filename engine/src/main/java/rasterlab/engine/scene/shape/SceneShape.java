@@ -14,6 +14,11 @@ public interface SceneShape {
     /** The pieces it is put together from, each with parameters of its own. */
     List<Patch> patches();
 
+    /** Whether it encloses a convex body: nothing of it hides what faces the eye. */
+    default boolean isConvexBody() {
+        return false;
+    }
+
     /**
      * Looks for the nearest point of this shape that {@code ray} meets, from either side; what is
      * beyond the nearest one that the ray has met before is left alone.
@@ -29,5 +34,10 @@ public interface SceneShape {
      */
     default Mesh faces(int uSteps, int vSteps) {
         return new Tessellation(this, uSteps, vSteps).faces();
+    }
+
+    /** The same faces, but coarser where blocks of them are joined. */
+    default Mesh faces(int uSteps, int vSteps, JoinedBlocks joins) {
+        return new Tessellation(this, uSteps, vSteps).faces(joins);
     }
 }

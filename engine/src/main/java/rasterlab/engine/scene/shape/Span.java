@@ -34,9 +34,9 @@ public record Span(double from, double to, boolean round) {
         return fromEnd ? to - (to - from) * (steps - k) / steps : from + (to - from) * k / steps;
     }
 
-    /** Half a step after value k. */
-    double between(int k, int steps) {
-        return from + (to - from) * (k + 0.5) / steps;
+    /** The middle between values k and {@code next}. */
+    double between(int k, int next, int steps) {
+        return from + (to - from) * ((k + next) / 2.0) / steps;
     }
 
     /** 0 at the beginning, 1 at the end. */

@@ -51,6 +51,11 @@ public record Sphere(double radius) implements SceneShape, Patch {
     }
 
     @Override
+    public boolean isConvexBody() {
+        return true;
+    }
+
+    @Override
     public void meet(Ray ray) {
         double square = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
         double nearest = -(ray.ox * ray.dx + ray.oy * ray.dy + ray.oz * ray.dz) / square;

@@ -1,5 +1,6 @@
 package rasterlab.engine.scene.shape;
 
+import java.util.Optional;
 import rasterlab.engine.scene.Mesh;
 
 /**
@@ -44,6 +45,13 @@ public record Tessellation(SceneShape shape, int uSteps, int vSteps) {
 
     /** Flat faces over shared vertices, with normals and texture coordinates of their corners. */
     public Mesh faces() {
-        return new FaceGrid(this).mesh();
+        return new FaceGrid(this, Optional.empty()).mesh();
+    }
+
+    /**
+     * The faces, but for blocks of cells that are joined: each of those is coarser, without gaps.
+     */
+    public Mesh faces(JoinedBlocks joins) {
+        return new FaceGrid(this, Optional.of(joins)).mesh();
     }
 }

@@ -93,7 +93,10 @@ class RayTest {
         for (Patch patch : shape.patches())
             for (int i = 0; i < 30; i++)
                 for (int j = 0; j < 20; j++) {
-                    patch.at(patch.u().between(i, 30), patch.v().between(j, 20), point);
+                    patch.at(
+                            patch.u().between(i, i + 1, 30),
+                            patch.v().between(j, j + 1, 20),
+                            point);
                     for (int side = -1; side <= 1; side += 2) {
                         aimAt(ray, point, side * 0.01);
                         shape.meet(ray);

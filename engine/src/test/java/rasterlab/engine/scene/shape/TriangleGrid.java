@@ -54,7 +54,7 @@ public final class TriangleGrid {
             for (int j = 0; j <= n; j++) {
                 double v = patch.v().at(j, n);
                 boolean halfway = i < uSteps && patch.isPole(v);
-                double u = halfway ? patch.u().between(i, uSteps) : patch.u().at(i, uSteps);
+                double u = halfway ? patch.u().between(i, i + 1, uSteps) : patch.u().at(i, uSteps);
                 patch.at(u, v, point);
                 put();
             }
