@@ -31,7 +31,7 @@ final class InnerBlocks implements JoinedBlocks {
     /** Pictures that a mesh with its outline holds for, at half a degree each. */
     private static final int PICTURES = 16;
 
-    /** What it takes to make a face of such a mesh and to look at it. */
+    /** Time to make a face of such a mesh and to look at it. */
     private static final double FACE_MILLISECONDS = 1e-3;
 
     /** The share of pictures that making their meshes may take: it saves several times that. */
@@ -41,8 +41,8 @@ final class InnerBlocks implements JoinedBlocks {
     private static final double SAVED = 0.3;
 
     /**
-     * Over a step that turns by φ the rise times the rate is φ²/8; where a quarter of that is too
-     * much, no block is measured.
+     * A divisor of φ², φ being what a step turns by: the rise times the rate is φ²/8, and where a
+     * quarter of that is too much, no block is measured.
      */
     private static final double HOPELESS = 32;
 

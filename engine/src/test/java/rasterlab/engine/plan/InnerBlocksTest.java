@@ -65,7 +65,7 @@ class InnerBlocksTest {
         assertEquals(atOutline(asked), atOutline(asked.with(coarser)));
     }
 
-    /** What makes a mesh costs nothing beside a picture that takes that long. */
+    /** Plans beside a picture that takes so long that making a mesh costs nothing. */
     private static Scene coarser(Scene scene, SphericalView at, Tolerance tolerance) {
         RenderRequest request = seen(scene, at);
         var view = RequestView.of(request, request.width()).viewed();

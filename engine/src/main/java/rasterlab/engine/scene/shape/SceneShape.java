@@ -36,7 +36,7 @@ public interface SceneShape {
         return new Tessellation(this, uSteps, vSteps).faces();
     }
 
-    /** The same faces, but coarser where blocks of them are joined. */
+    /** Flat faces that are coarser where blocks of cells are joined. */
     default Mesh faces(int uSteps, int vSteps, JoinedBlocks joins) {
         return new Tessellation(this, uSteps, vSteps).faces(joins);
     }
