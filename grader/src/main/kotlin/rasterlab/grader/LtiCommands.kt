@@ -11,6 +11,8 @@ import picocli.CommandLine.Spec
 import rasterlab.grader.lti.Platform
 import rasterlab.grader.lti.PlatformForm
 import rasterlab.grader.lti.Platforms
+import rasterlab.grader.lti.ToolKey
+import rasterlab.grader.storage.text
 import java.time.InstantSource
 import java.util.concurrent.Callable
 
@@ -19,13 +21,16 @@ internal fun ltiCommands(words: CommandWords): CommandLine =
         .addSubcommand(LtiListCommand())
         .addSubcommand(LtiAddCommand())
         .addSubcommand(LtiRemoveCommand())
+        .addSubcommand(LtiKeyCommand())
         .addSubcommand(ServerHelpCommand(words))
 
 /** Works on the learning platforms that a server trusts, on its machine; the server may run meanwhile. */
 @Command(
     name = "lti",
     mixinStandardHelpOptions = true,
-    description = ["Lists, adds and removes learning platforms that send people here by LTI 1.3."],
+    description = [
+        "Lists, adds and removes learning platforms that send people here by LTI 1.3, and changes the key for them.",
+    ],
 )
 private class LtiCommand(
     private val words: CommandWords,
@@ -42,6 +47,8 @@ internal class PlatformOptions {
     lateinit var of: DataOptions
 
     fun <T> open(work: (Platforms) -> T): T = of.open().use { work(Platforms(it, InstantSource.system())) }
+
+    fun <T> openKey(work: (ToolKey) -> T): T = of.open().use { work(ToolKey(it, InstantSource.system())) }
 }
 
 /** The lines are the same in every language, for programs. */
@@ -172,6 +179,38 @@ private class LtiRemoveCommand : Callable<Int> {
     override fun call(): Int =
         of.open { platforms ->
             spec.print(platforms.remove(id, by = "command"))
+            0
+        }
+}
+
+@Command(
+    name = "key",
+    mixinStandardHelpOptions = true,
+    description = [
+        "Prints the ids of this server's keys as platforms read them: the one that signs, and each one before",
+        "with the moment until which it is read.",
+    ],
+)
+private class LtiKeyCommand : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
+    @Mixin
+    lateinit var of: PlatformOptions
+
+    @Option(
+        names = ["--new"],
+        descriptionKey = "lti.new",
+        description = ["Makes a new key first. Platforms fetch it by themselves; the one before is read for an hour."],
+    )
+    var new = false
+
+    override fun call(): Int =
+        of.openKey { key ->
+            if (new) key.renew(by = "command")
+            key.published().forEach { one ->
+                spec.commandLine().out.println(listOfNotNull(one.id, one.until?.text()).joinToString("\t"))
+            }
             0
         }
 }

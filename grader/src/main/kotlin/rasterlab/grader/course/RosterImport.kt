@@ -120,7 +120,7 @@ class RosterImport(
             val news = row.fields.filter { (kind, value) -> before[kind] != value }
             val renamed = row.name.text != student.name
             if (news.isEmpty() && !renamed) return null
-            if (renamed) students?.rename(student, row.name)
+            if (renamed) students?.rename(student.id, student.number, row.name)
             students?.note(student.id, news)
             return RosterCorrection(student.id, student.name, row.name.text, news.keys.toList())
         }

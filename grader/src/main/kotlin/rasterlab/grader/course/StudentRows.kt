@@ -40,14 +40,15 @@ internal class StudentRows(
 
     /** The student keeps id and number. */
     fun rename(
-        student: Enrolled,
+        student: String,
+        number: Int,
         name: Name,
     ) {
         handle
             .createUpdate("UPDATE students SET name = :name, shown_name = :shown WHERE id = :id")
-            .bind("id", student.id)
+            .bind("id", student)
             .bind("name", name.text)
-            .bind("shown", shownName(name, student.number))
+            .bind("shown", shownName(name, number))
             .execute()
     }
 

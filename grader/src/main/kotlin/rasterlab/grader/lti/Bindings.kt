@@ -117,25 +117,53 @@ class Bindings(
 
     /**
      * The id of the student whom the platform means; one who is new in the course is enrolled. A student of the roster is
-     * known by the number that both have of the institution, unless somebody else of the platform came as that one.
+     * known by the number that both have of the institution, unless somebody else of the platform came as that one. Where
+     * the platform calls a student otherwise than the last time, they have that name here too.
      */
     fun student(
         launch: Launch,
         course: Course,
     ): String =
-        database.read { studentOf(it, launch, course) } ?: database.write { handle ->
-            studentOf(handle, launch, course) ?: enrolled(handle, launch, course).also { id ->
-                handle
-                    .createUpdate(
-                        """INSERT INTO lti_students (platform_id, subject, course_id, student_id)
-                           VALUES (:platform, :subject, :course, :student)""",
-                    ).bind("platform", launch.platform)
-                    .bind("subject", launch.subject)
-                    .bind("course", course.id)
-                    .bind("student", id)
-                    .execute()
+        database
+            .read { known(it, launch, course) }
+            ?.takeIf { launch.name.isEmpty() || it.toldName == launch.name }
+            ?.student
+            ?: database.write { handle ->
+                known(handle, launch, course)?.also { follow(handle, launch, course, it) }?.student
+                    ?: enrolled(handle, launch, course).also { remember(handle, launch, course, it) }
             }
-        }
+
+    private fun remember(
+        handle: Handle,
+        launch: Launch,
+        course: Course,
+        student: String,
+    ) = handle
+        .createUpdate(
+            """INSERT INTO lti_students (platform_id, subject, course_id, student_id, told_name)
+               VALUES (:platform, :subject, :course, :student, :name)
+               ON CONFLICT (platform_id, subject, course_id) DO UPDATE SET told_name = excluded.told_name""",
+        ).bind("platform", launch.platform)
+        .bind("subject", launch.subject)
+        .bind("course", course.id)
+        .bind("student", student)
+        .bind("name", launch.name)
+        .execute()
+
+    /** A name that the roster or an instructor gave stays until the platform's changes. */
+    private fun follow(
+        handle: Handle,
+        launch: Launch,
+        course: Course,
+        known: KnownStudent,
+    ) {
+        if (launch.name.isEmpty() || known.toldName == launch.name) return
+        remember(handle, launch, course, known.student)
+        val name = nameIn(launch.name)
+        if (known.toldName == null || name == null || name.text == known.name) return
+        StudentRows(handle, course.id, clock.instant()).rename(known.student, known.number, name)
+        AuditNote(launch.platform, course.id, "lti-name", known.student, detail = "").write(handle, clock.instant())
+    }
 
     /** The id of the staff's account that the person has here; null where they have not said which. */
     fun staffOf(launch: Launch): String? =
@@ -211,20 +239,35 @@ class Bindings(
             .getOrNull()
             ?.let { Courses.course(handle, "id", it) }
 
-    private fun studentOf(
+    /** @param toldName what the platform called them last; null where it was not noted yet */
+    private class KnownStudent(
+        val student: String,
+        val number: Int,
+        val name: String,
+        val toldName: String?,
+    )
+
+    private fun known(
         handle: Handle,
         launch: Launch,
         course: Course,
-    ): String? =
+    ): KnownStudent? =
         handle
             .createQuery(
-                """SELECT student_id FROM lti_students
-                   WHERE platform_id = :platform AND subject = :subject AND course_id = :course""",
+                """SELECT students.id, number, name, told_name FROM lti_students
+                   JOIN students ON students.id = student_id
+                   WHERE platform_id = :platform AND subject = :subject AND lti_students.course_id = :course""",
             ).bind("platform", launch.platform)
             .bind("subject", launch.subject)
             .bind("course", course.id)
-            .mapTo(String::class.java)
-            .findOne()
+            .map { row, _ ->
+                KnownStudent(
+                    row.getString("id"),
+                    row.getInt("number"),
+                    row.getString("name"),
+                    row.getString("told_name"),
+                )
+            }.findOne()
             .getOrNull()
 
     private fun enrolled(
@@ -266,12 +309,15 @@ class Bindings(
         fun nameOf(
             told: String,
             otherwise: String,
-        ): Name {
+        ): Name = nameIn(told) ?: Name.of(otherwise)
+
+        /** A name as it can stand here; null where it cannot. */
+        fun nameIn(told: String): Name? {
             val cut = told.codePoints().limit(LONGEST_NAME.toLong()).toArray()
             return try {
                 Name.of(String(cut, 0, cut.size))
             } catch (refused: Rejection.BadName) {
-                Name.of(otherwise)
+                null
             }
         }
     }

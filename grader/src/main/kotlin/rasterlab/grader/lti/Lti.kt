@@ -26,7 +26,7 @@ class Lti(
     name: String,
 ) {
     val platforms = Platforms(database, wall)
-    val key = ToolKey(database)
+    val key = ToolKey(database, wall)
     val bindings = Bindings(database, wall)
     val launches = Launches(platforms, database, wall)
     val arrivals = Arrivals(database, accounts, courses, exercises, bindings, platforms, wall)

@@ -149,13 +149,14 @@ internal class PlatformCalls(
         val now = clock.instant()
         val name = "${platform.id} $scope"
         leaves[name]?.takeIf { now < it.until }?.let { return it.header }
+        val pair = key.pair
         val assertion =
             PrivateKeyJWT(
                 ClientID(platform.clientId),
                 platform.token,
                 JWSAlgorithm.RS256,
-                key.pair.toPrivateKey(),
-                key.pair.keyID,
+                pair.toPrivateKey(),
+                pair.keyID,
                 null,
             )
         val request =

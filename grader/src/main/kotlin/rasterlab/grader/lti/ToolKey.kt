@@ -3,6 +3,7 @@ package rasterlab.grader.lti
 import com.nimbusds.jose.JWSAlgorithm
 import com.nimbusds.jose.JWSHeader
 import com.nimbusds.jose.crypto.RSASSASigner
+import com.nimbusds.jose.jwk.JWK
 import com.nimbusds.jose.jwk.JWKSet
 import com.nimbusds.jose.jwk.KeyUse
 import com.nimbusds.jose.jwk.RSAKey
@@ -10,51 +11,125 @@ import com.nimbusds.jose.jwk.gen.RSAKeyGenerator
 import com.nimbusds.jwt.JWTClaimsSet
 import com.nimbusds.jwt.SignedJWT
 import org.jdbi.v3.core.Handle
+import rasterlab.grader.course.AuditNote
 import rasterlab.grader.storage.Database
+import java.time.Duration
+import java.time.Instant
+import java.time.InstantSource
+import java.util.Date
 import kotlin.jvm.optionals.getOrNull
 
-/** This server's own pair of keys, one for all servers that share the database; made where it is first asked for. */
+/**
+ * A key that platforms read here.
+ *
+ * @param id names it in what it signs
+ * @param until when it is published no longer; null for the one that signs now
+ */
+data class PublishedKey(
+    val id: String,
+    val until: Instant?,
+)
+
+/**
+ * This server's own pair of keys, one for all servers that share the database; made where it is first asked for. It is read
+ * anew each time, since another server or a command may have changed it.
+ */
 class ToolKey(
     private val database: Database,
+    private val clock: InstantSource,
 ) {
-    internal val pair: RSAKey by lazy { RSAKey.parse((database.read(::stored) ?: made()).decodeToString()) }
+    internal val pair: RSAKey get() = database.read(::stored) ?: database.write { stored(it) ?: fresh(it) }
 
-    /** The public half, as platforms read it. */
-    fun publicSet(): String = JWKSet(pair.toPublicJWK()).toString()
+    /** The public halves, as platforms read them: of the key that signs now, and of those whose messages may still hold. */
+    fun publicSet(): String = JWKSet(listOf<JWK>(pair.toPublicJWK()) + database.read(::earlier)).toString()
+
+    /** Tells the keys that platforms read, the one that signs first. */
+    fun published(): List<PublishedKey> =
+        listOf(PublishedKey(pair.keyID, null)) +
+            database.read(::earlier).map { PublishedKey(it.keyID, it.expirationTime.toInstant()) }
+
+    /**
+     * Makes another pair, which signs from now on. The private half of the one before is gone; its public half is read for
+     * [KEPT], until all that it signed has run out.
+     *
+     * @param by who does it, for the audit
+     */
+    fun renew(by: String) =
+        database.write { handle ->
+            val now = clock.instant()
+            val before = stored(handle) ?: fresh(handle)
+            val until = Date.from(now + KEPT)
+            val kept = earlier(handle) + RSAKey.Builder(before.toPublicJWK()).expirationTime(until).build()
+            put(handle, BEFORE, JWKSet(kept).toString())
+            val made = generated()
+            put(handle, NAME, made.toJSONString())
+            AuditNote(by, course = null, "lti-key", made.keyID, before.keyID).write(handle, now)
+        }
 
     /** A message that whoever has the public half knows to be this server's. */
-    internal fun sign(claims: JWTClaimsSet): String =
-        SignedJWT(JWSHeader.Builder(JWSAlgorithm.RS256).keyID(pair.keyID).build(), claims)
-            .apply { sign(RSASSASigner(pair)) }
+    internal fun sign(claims: JWTClaimsSet): String {
+        val key = pair
+        return SignedJWT(JWSHeader.Builder(JWSAlgorithm.RS256).keyID(key.keyID).build(), claims)
+            .apply { sign(RSASSASigner(key)) }
             .serialize()
-
-    private fun made(): ByteArray {
-        val fresh =
-            RSAKeyGenerator(BITS)
-                .keyIDFromThumbprint(true)
-                .keyUse(KeyUse.SIGNATURE)
-                .algorithm(JWSAlgorithm.RS256)
-                .generate()
-        return database.write { handle ->
-            handle
-                .createUpdate("INSERT INTO secrets (name, value) VALUES (:name, :value) ON CONFLICT DO NOTHING")
-                .bind("name", NAME)
-                .bind("value", fresh.toJSONString().toByteArray())
-                .execute()
-            checkNotNull(stored(handle)) { "the key was just stored" }
-        }
     }
 
-    private fun stored(handle: Handle): ByteArray? =
+    private fun generated() =
+        RSAKeyGenerator(BITS)
+            .keyIDFromThumbprint(true)
+            .keyUse(KeyUse.SIGNATURE)
+            .algorithm(JWSAlgorithm.RS256)
+            .generate()
+
+    private fun fresh(handle: Handle): RSAKey {
+        handle
+            .createUpdate("INSERT INTO secrets (name, value) VALUES (:name, :value) ON CONFLICT DO NOTHING")
+            .bind("name", NAME)
+            .bind("value", generated().toJSONString().toByteArray())
+            .execute()
+        return checkNotNull(stored(handle)) { "the key was just stored" }
+    }
+
+    private fun put(
+        handle: Handle,
+        name: String,
+        value: String,
+    ) = handle
+        .createUpdate(
+            """INSERT INTO secrets (name, value) VALUES (:name, :value)
+               ON CONFLICT (name) DO UPDATE SET value = excluded.value""",
+        ).bind("name", name)
+        .bind("value", value.toByteArray())
+        .execute()
+
+    private fun stored(handle: Handle): RSAKey? = secret(handle, NAME)?.let(RSAKey::parse)
+
+    private fun earlier(handle: Handle): List<RSAKey> =
+        secret(handle, BEFORE)
+            ?.let(JWKSet::parse)
+            ?.keys
+            .orEmpty()
+            .map { it.toRSAKey() }
+            .filter { it.expirationTime.toInstant() > clock.instant() }
+
+    private fun secret(
+        handle: Handle,
+        name: String,
+    ): String? =
         handle
             .createQuery("SELECT value FROM secrets WHERE name = :name")
-            .bind("name", NAME)
+            .bind("name", name)
             .mapTo(ByteArray::class.java)
             .findOne()
             .getOrNull()
+            ?.decodeToString()
 
-    private companion object {
-        const val NAME = "lti"
-        const val BITS = 2048
+    companion object {
+        /** Longer than anything holds that this server signs, with clocks that differ by minutes. */
+        val KEPT: Duration = Duration.ofHours(1)
+
+        private const val NAME = "lti"
+        private const val BEFORE = "lti-before"
+        private const val BITS = 2048
     }
 }

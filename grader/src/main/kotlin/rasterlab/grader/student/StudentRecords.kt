@@ -250,7 +250,7 @@ class StudentRecords(
                LEFT JOIN students ON students.id = c.author_id LEFT JOIN instructors ON instructors.id = c.author_id"""
 
         const val PLATFORMS =
-            """SELECT issuer, client_id, subject FROM lti_students JOIN lti_platforms ON lti_platforms.id = platform_id
+            """SELECT issuer, client_id, subject, told_name FROM lti_students JOIN lti_platforms ON lti_platforms.id = platform_id
                WHERE student_id = :student ORDER BY issuer, subject"""
 
         const val SCORES =

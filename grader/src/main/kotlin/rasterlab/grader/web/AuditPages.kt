@@ -94,6 +94,7 @@ private fun PageTexts.detail(one: AuditEntry): String =
 
 private fun PageTexts.doer(one: AuditEntry): String =
     when {
+        one.action == "lti-name" -> say("audit.platform")
         one.role.isEmpty() -> say("audit.command")
         one.byName.isEmpty() -> say("staff.unnamed")
         else -> one.byName

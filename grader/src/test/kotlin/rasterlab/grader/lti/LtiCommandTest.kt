@@ -1,6 +1,7 @@
 package rasterlab.grader.lti
 
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
@@ -11,6 +12,7 @@ import rasterlab.grader.storage.Database
 import java.io.PrintWriter
 import java.io.StringWriter
 import java.nio.file.Path
+import java.time.Instant
 
 /** Registers platforms on the server's machine. */
 class LtiCommandTest {
@@ -56,5 +58,28 @@ class LtiCommandTest {
         assertEquals(2, run("remove", "nobody").first)
         assertEquals(0 to line, run("remove", line.substringBefore('\t')))
         assertEquals(0 to "", run("list"))
+    }
+
+    @Test
+    @DisplayName("a new key is not made or signs nothing, or the one before is gone or stays for good")
+    fun changesTheKey() {
+        Database.open(folder.resolve("rasterlab.db")).close()
+        val (code, first) = run("key")
+        assertEquals(0, code, first)
+        assertEquals(0 to first, run("key"))
+        val (signs, before) = run("key", "--new").second.trim().lines()
+        assertNotEquals(first.trim(), signs)
+        assertEquals(first.trim(), before.substringBefore('\t'))
+        val now = Instant.now()
+        val until = Instant.parse(before.substringAfter('\t'))
+        assertTrue(until > now && until <= now + ToolKey.KEPT, before)
+        assertEquals(
+            3,
+            run("key", "--new")
+                .second
+                .trim()
+                .lines()
+                .size,
+        )
     }
 }

@@ -79,7 +79,7 @@ open class ScoresTest {
         ScoreSender(
             database,
             Platforms(database, clock),
-            ToolKey(database),
+            ToolKey(database, clock),
             Exercises(listOf(Classroom.EXERCISE)),
             clock,
             clock,

@@ -205,7 +205,7 @@ class TablesTest {
                        VALUES ('p', 'Moodle', 'i', 'r', '1', 'l', 't', 'k', 0, '$THEN')""",
                 )
                 source.execute("INSERT INTO lti_contexts VALUES ('p', 'x', 'CG', 'c', '$THEN')")
-                source.execute("INSERT INTO lti_students VALUES ('p', 'sub', 'c', 'a')")
+                source.execute("INSERT INTO lti_students VALUES ('p', 'sub', 'c', 'a', 'Ada')")
                 source.assertRows("student_id, title FROM lti_students JOIN lti_contexts ON context = 'x'", "a CG")
             }
         }

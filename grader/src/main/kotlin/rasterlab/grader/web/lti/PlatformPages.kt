@@ -37,10 +37,12 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.lti.Lti
 import rasterlab.grader.lti.Platform
 import rasterlab.grader.lti.PlatformForm
+import rasterlab.grader.lti.PublishedKey
 import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.Refused
+import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.instructorHere
 import rasterlab.grader.web.moment
 import rasterlab.grader.web.problem
@@ -82,6 +84,11 @@ fun Route.platformPages(
         lti.platforms.add(form.platform(), who.id)
         call.respondRedirect(ADDRESS)
     }
+    post("$ADDRESS/key") {
+        call.requireOwnForm()
+        lti.key.renew(call.instructorHere(accounts).id)
+        call.respondRedirect(ADDRESS)
+    }
     post("$ADDRESS/{platform}/remove") {
         call.requireOwnForm()
         val who = call.instructorHere(accounts)
@@ -113,6 +120,7 @@ private suspend fun ApplicationCall.respondPlatforms(
         if (all.isEmpty()) p { +texts.say("lti.none") } else platformTable(texts, all)
         section("card apart") { told(texts, places) }
         section("card apart") { addition(texts, typed) }
+        section("card apart") { keys(texts, lti.key.published()) }
     }
 }
 
@@ -122,7 +130,7 @@ private fun FlowContent.told(
 ) {
     h2 { +texts.say("lti.told") }
     p { +texts.say("lti.told.about") }
-    dl {
+    dl("told") {
         listOf(
             "tool" to places.launch,
             "login" to places.login,
@@ -135,6 +143,22 @@ private fun FlowContent.told(
             dd { code { +"$place" } }
         }
     }
+}
+
+private fun FlowContent.keys(
+    texts: PageTexts,
+    published: List<PublishedKey>,
+) {
+    h2 { +texts.say("lti.keys") }
+    p { +texts.say("lti.keys.about") }
+    dl("told") {
+        published.forEach { one ->
+            val until = one.until
+            dt { +if (until == null) texts.say("lti.keys.now") else texts.say("lti.keys.until", until.forPeople()) }
+            dd { code { +one.id } }
+        }
+    }
+    form("$ADDRESS/key", method = FormMethod.post) { button { +texts.say("lti.keys.do") } }
 }
 
 private fun FlowContent.platformTable(
