@@ -7,6 +7,7 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Parameters
 import picocli.CommandLine.Spec
+import rasterlab.grader.comment.copyKeptComments
 import rasterlab.grader.course.Name
 import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseExercises
@@ -288,7 +289,7 @@ internal class CourseCloneCommand : Callable<Int> {
     override fun call(): Int =
         options.open { database, courses ->
             val course = courses.find(options.course) ?: throw options.unknown()
-            val clones = CourseClones(database, InstantSource.system())
+            val clones = CourseClones(database, InstantSource.system(), ::copyKeptComments)
             val made = clones.clone(course, Name.of(name), days, by = "command", key = null)
             spec.commandLine().out.println("course\t${made.id}\ncode\t${made.code}")
             0

@@ -33,6 +33,7 @@ import rasterlab.grader.classroom.fronts
 import rasterlab.grader.comment.Comments
 import rasterlab.grader.comment.KeptComments
 import rasterlab.grader.comment.comments
+import rasterlab.grader.comment.copyKeptComments
 import rasterlab.grader.comment.courseComments
 import rasterlab.grader.comparison.VersionPairs
 import rasterlab.grader.comparison.comparisons
@@ -188,7 +189,7 @@ class Server(
     private val roster = RosterImport(database, clock)
     private val marks = Marks(database)
     private val grades = Grades(courses, marks, exercises, chosen)
-    private val clones = CourseClones(database, clock)
+    private val clones = CourseClones(database, clock, ::copyKeptComments)
     private val regrades = Regrades(database, clock)
     private val records = StudentRecords(database, clock)
     private val moves = SharedMoves(database, settings.name)

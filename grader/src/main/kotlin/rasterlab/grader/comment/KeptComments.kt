@@ -2,6 +2,7 @@ package rasterlab.grader.comment
 
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.course.AuditNote
+import rasterlab.grader.course.Course
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.problem.Rejection
@@ -135,4 +136,31 @@ class KeptComments(
         /** The most that a course keeps. */
         const val MOST = 100
     }
+}
+
+/** Lets a new course keep the comments of another too, within a transaction. */
+internal fun copyKeptComments(
+    handle: Handle,
+    from: Course,
+    to: Course,
+) {
+    val kept =
+        handle
+            .createQuery("SELECT id FROM kept_comments WHERE course_id = :course")
+            .bind("course", from.id)
+            .mapTo(String::class.java)
+            .list()
+    val insert =
+        handle.prepareBatch(
+            """INSERT INTO kept_comments (id, course_id, name, text, account_id, kept_at)
+               SELECT :id, :course, name, text, account_id, kept_at FROM kept_comments WHERE id = :from""",
+        )
+    kept.forEach {
+        insert
+            .bind("id", Secrets.newId())
+            .bind("course", to.id)
+            .bind("from", it)
+            .add()
+    }
+    if (kept.isNotEmpty()) insert.execute()
 }

@@ -1,5 +1,6 @@
 package rasterlab.grader.rules
 
+import org.jdbi.v3.core.Handle
 import rasterlab.grader.course.AuditNote
 import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
@@ -11,10 +12,15 @@ import java.time.Instant
 import java.time.InstantSource
 import java.time.ZoneId
 
-/** Makes this year's course of last year's: the same rules, later, and nobody in it. */
+/**
+ * Makes this year's course of last year's: the same rules, later, and nobody in it.
+ *
+ * @param copyToo gives the second course what else the first one has, within the transaction
+ */
 class CourseClones(
     private val database: Database,
     private val clock: InstantSource,
+    private val copyToo: (Handle, Course, Course) -> Unit,
 ) {
     /**
      * Makes a course with the rules of another, whose moments are moved by whole days and keep their time of day.
@@ -41,6 +47,7 @@ class CourseClones(
                     CourseRules.store(handle, made, exercise, rules.movedBy(shift))
                 }
                 CourseExercises.copy(handle, from, made)
+                copyToo(handle, from, made)
                 AuditNote(by, made.id, "clone", from.id, "$shift days").write(handle, clock.instant())
                 request.remember(handle, made.id, clock.instant())
                 made

@@ -54,6 +54,30 @@ class CourseClonesTest {
         }
 
     @Test
+    @DisplayName("kept comments do not come along, come twice or leave the old course, or what students were told does")
+    fun takesKeptComments() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            val token = newStudent(course)
+            val submission = submit(token, "class Dot { }").json().text("id")
+            client.post("/api/v1/courses/$course/kept-comments") {
+                bearer(instructor)
+                json("""{"name":"ends","text":"Both ends belong to it."}""")
+            }
+            client.post("/api/v1/submissions/$submission/comments") {
+                bearer(instructor)
+                json("""{"text":"Only for you."}""")
+            }
+            val made = clone(course, """{"name":"Next"}""").json().text("course")
+            for (one in listOf(course, made)) {
+                val kept = look(instructor, "/api/v1/courses/$one/kept-comments").bodyAsText()
+                assertEquals(1, Regex("Both ends belong to it").findAll(kept).count(), kept)
+            }
+            assertEquals("2", one("SELECT count(DISTINCT id) FROM kept_comments"))
+            assertEquals("1", one("SELECT count(*) FROM comments"))
+        }
+
+    @Test
     @DisplayName("what cannot be a name, a number of days or a course makes one, or a repeated request makes two")
     fun refusesWhatCannotBe() =
         Classroom(folder).open(grades = false) {
