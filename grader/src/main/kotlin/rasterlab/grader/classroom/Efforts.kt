@@ -2,13 +2,14 @@ package rasterlab.grader.classroom
 
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.storage.Database
+import rasterlab.grader.submission.Submissions
 import java.time.Instant
 
 /**
  * How a student gets on with an exercise.
  *
  * @param attempts with a result
- * @param best the most points of them, before hints, lateness and points by hand
+ * @param best the most points of them that count: after hints and lateness, with points by hand
  * @param withoutGain attempts since the first one with these points
  * @param hints steps that were shown
  */
@@ -123,7 +124,7 @@ class Efforts(
             handle
                 .createQuery(
                     """SELECT students.id, students.shown_name, s.received_at, r.verdict, r.points_of,
-                           r.accuracy + r.stability + r.speed AS points
+                           ${Submissions.NET} AS points
                        FROM students
                        JOIN submissions AS s ON s.student_id = students.id AND s.exercise = :exercise
                        JOIN results AS r ON r.submission_id = s.id AND r.is_current = 1

@@ -88,6 +88,41 @@ class EffortsTest {
         }
 
     @Test
+    @DisplayName("a gain that hints or lateness took, or that staff gave, is not seen")
+    fun countsWhatCounts() =
+        Database.open(folder.resolve("test.db")).use { database ->
+            val students = ClassOfStudents(database, clock)
+            val reports = Reports(database)
+            val student = students.student("Ada")
+            val handed =
+                listOf(4, 8, 8, 2).map { points ->
+                    students.handIn(student).also { id ->
+                        database.write { reports.insert(it, id, "r1", report(points), clock.instant()) }
+                    }
+                }
+            database.write { handle ->
+                handle.execute("UPDATE submissions SET state = 'done'")
+                handle.execute("UPDATE submissions SET penalty = 50 WHERE id = ?", handed[1])
+                handle.execute("UPDATE submissions SET hint_cost = 3 WHERE id = ?", handed[2])
+            }
+            val course = Courses(database, clock).all().single().id
+
+            fun told() =
+                Efforts(database, Hints(database, clock)).of(course, "draw-dot").efforts.single().let {
+                    "${it.best} ${it.withoutGain}"
+                }
+            assertEquals("5 1", told())
+            database.write {
+                it.execute(
+                    """INSERT INTO adjustments (id, submission_id, points, reason, total_before, account_id, given_at)
+                       VALUES ('a', ?, 4, 'r', 2, 'i', '2026-01-01T00:00:00Z')""",
+                    handed[3],
+                )
+            }
+            assertEquals("6 0", told())
+        }
+
+    @Test
     @DisplayName("the page does not tell who is stuck, or a student sees it")
     fun pageTellsWhoIsStuck() =
         Classroom(folder, bySource).open {
