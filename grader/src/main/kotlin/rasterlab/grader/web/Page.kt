@@ -9,6 +9,7 @@ import io.ktor.server.request.httpMethod
 import io.ktor.server.request.path
 import io.ktor.server.response.header
 import kotlinx.html.ButtonType
+import kotlinx.html.CommonAttributeGroupFacade
 import kotlinx.html.DIV
 import kotlinx.html.FlowContent
 import kotlinx.html.InputType
@@ -148,8 +149,13 @@ internal fun FlowContent.scrolling(
     name: String,
     inner: DIV.() -> Unit,
 ) = div("scroll") {
+    scrolledByKeys(name)
+    inner()
+}
+
+/** Lets keys scroll the element, which may be wider or higher than its place; readers that speak call it [name]. */
+internal fun CommonAttributeGroupFacade.scrolledByKeys(name: String) {
     attributes["tabindex"] = "0"
     attributes["role"] = "group"
     attributes["aria-label"] = name
-    inner()
 }

@@ -168,7 +168,10 @@ private fun FlowContent.diagnostics(
                 if (diagnostic.line > 0) span("place") { +place(texts, diagnostic) }
                 span("message") { sentence(diagnostic.message) }
                 partOfLine(source, diagnostic.line, diagnostic.column).takeIf { it.isNotBlank() }?.let { line ->
-                    pre { code { +line.trimEnd() } }
+                    pre {
+                        scrolledByKeys(place(texts, diagnostic))
+                        code { +line.trim() }
+                    }
                 }
                 folded(texts, diagnostic.message)
             }
@@ -300,7 +303,10 @@ private fun FlowContent.pictures(
         details {
             summary { +texts.say("result.astext") }
             if (isOfPixels(difference)) {
-                pre("picture-text") { +difference.rows().joinToString("\n") }
+                pre("picture-text") {
+                    scrolledByKeys(texts.say("result.astext"))
+                    +difference.rows().joinToString("\n")
+                }
             } else {
                 p { +difference.text }
             }

@@ -62,10 +62,15 @@ internal fun FlowContent.walkData(
     words: StepText,
     question: Question,
 ) {
-    pre("data") { +words.input(question.input()).joinToString("\n") }
-    if (question.before().isEmpty()) return
-    p("shown") { +texts.say("sheet.shown", question.before().size) }
     pre("data") {
+        scrolledByKeys(texts.say("sheet.input"))
+        +words.input(question.input()).joinToString("\n")
+    }
+    if (question.before().isEmpty()) return
+    val shown = texts.say("sheet.shown", question.before().size)
+    p("shown") { +shown }
+    pre("data") {
+        scrolledByKeys(shown)
         +question
             .before()
             .mapIndexed { index, step -> "${index + 1}. ${words.fieldsText(question.shown(step))}" }

@@ -15,17 +15,22 @@ private const val SHOWN_MOST = 300
 /**
  * A source with its lines numbered.
  *
+ * @param title what readers that speak call it
  * @param marked whether something is said about that line
  * @param behind what stands below that line
  */
 fun FlowContent.sourceLines(
     source: String,
+    title: String,
     marked: (Int) -> Boolean = { false },
     behind: LI.(Int) -> Unit = {},
 ) {
     val rest = lineStart(source, NUMBERED_MOST + 1)?.takeIf { it < source.length }
     val numbered = source.substring(0, rest ?: source.length).removeSuffix("\n").removeSuffix("\r")
     ol("source") {
+        // Keys scroll it; it stays a list to readers that speak.
+        attributes["tabindex"] = "0"
+        attributes["aria-label"] = title
         numbered.lineSequence().forEachIndexed { index, line ->
             li("noted".takeIf { marked(index + 1) }) {
                 code { +line }
@@ -33,7 +38,12 @@ fun FlowContent.sourceLines(
             }
         }
     }
-    if (rest != null) pre("source") { code { +source.substring(rest) } }
+    if (rest != null) {
+        pre("source") {
+            scrolledByKeys(title)
+            code { +source.substring(rest) }
+        }
+    }
 }
 
 /**

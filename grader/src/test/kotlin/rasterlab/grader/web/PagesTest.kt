@@ -71,7 +71,7 @@ open class PagesTest {
             assertTrue("secret of open-case &lt;img" in result, result)
             assertFalse("secret of hidden-case" in result, "a hidden case is told")
             assertTrue("columns −2..1 of −2..99, rows 1..1 of 1..1" in result, "no part is told: $result")
-            assertTrue("""<pre class="picture-text">#+-.</pre>""" in result, "not the rows alone: $result")
+            assertTrue(""">#+-.</pre>""" in result, "not the rows alone: $result")
         }
 
     @Test

@@ -31,12 +31,13 @@ class SourceViewTest {
     @Test
     fun numbersTheLinesThatPeopleWrite() {
         for (end in listOf("", "\n", "\r\n")) {
-            val two = "<ol class=\"source\"><li><code>a</code></li><li><code>b</code></li></ol>"
+            val head = "<ol class=\"source\" tabindex=\"0\" aria-label=\"Dot\">"
+            val two = "$head<li><code>a</code></li><li><code>b</code></li></ol>"
             assertEquals(two, shown("a\nb$end").inner())
         }
         val long = shown("a\n".repeat(5_002))
         assertEquals(5_000, Regex("<li>").findAll(long).count())
-        assertTrue("<pre class=\"source\"><code>a\na\n</code></pre>" in long)
+        assertTrue("aria-label=\"Dot\"><code>a\na\n</code></pre>" in long)
     }
 
     @ParameterizedTest(name = "a source of {0} fills the memory")
@@ -52,7 +53,7 @@ class SourceViewTest {
         assertTrue(mib <= 32, "$mib MiB were allocated")
     }
 
-    private fun shown(source: String) = createHTML(prettyPrint = false).div { sourceLines(source) }
+    private fun shown(source: String) = createHTML(prettyPrint = false).div { sourceLines(source, "Dot") }
 
     private fun String.inner() = removePrefix("<div>").removeSuffix("</div>")
 }

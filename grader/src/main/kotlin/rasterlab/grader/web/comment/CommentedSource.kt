@@ -60,7 +60,7 @@ class CommentedSource(
             val placed = threads.filter { it.first.lines != null }
             val marked = placed.flatMap { it.first.lines?.numbers() ?: emptyList() }.toSet()
             val byEnd = placed.groupBy { it.first.lines?.last }
-            sourceLines(submission.source, marked::contains) { line -> threads(desk, byEnd[line].orEmpty()) }
+            sourceLines(submission.source, title, marked::contains) { line -> threads(desk, byEnd[line].orEmpty()) }
             threads(desk, byEnd.filterKeys { it != null && it > NUMBERED_MOST }.values.flatten())
             newThread(desk)
         }

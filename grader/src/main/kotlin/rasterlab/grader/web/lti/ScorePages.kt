@@ -91,7 +91,7 @@ private suspend fun ApplicationCall.respondScores(
         } else {
             p { +texts.say("lti.scores.count", states.count { it.dueAt == null }, states.count { it.dueAt != null }) }
             if (mayChange && states.any { it.fault != null }) {
-                form("/instructor/courses/${course.id}/lti/send", method = FormMethod.post) {
+                form("/instructor/courses/${course.id}/lti/send", classes = "above", method = FormMethod.post) {
                     button { +texts.say("lti.send") }
                 }
             }
@@ -131,7 +131,7 @@ private fun FlowContent.scoreTable(
     exercises: Exercises,
     states: List<ScoreState>,
 ) = scrolling(texts.say("lti.scores")) {
-    table("students") {
+    table("students scores") {
         thead {
             tr {
                 listOf("student", "exercise", "points", "there", "platform", "state").forEach {

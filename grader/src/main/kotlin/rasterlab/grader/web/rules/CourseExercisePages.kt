@@ -11,9 +11,9 @@ import kotlinx.html.FlowContent
 import kotlinx.html.FormMethod
 import kotlinx.html.InputType
 import kotlinx.html.TR
+import kotlinx.html.ThScope
 import kotlinx.html.a
 import kotlinx.html.button
-import kotlinx.html.div
 import kotlinx.html.form
 import kotlinx.html.input
 import kotlinx.html.p
@@ -45,6 +45,7 @@ import rasterlab.grader.web.receiveForm
 import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.rulesAddress
+import rasterlab.grader.web.scrolling
 import rasterlab.grader.web.staffHere
 import rasterlab.grader.web.texts
 
@@ -101,13 +102,18 @@ private class ExerciseTable(
     private fun FlowContent.choice(texts: PageTexts) =
         form(address, method = FormMethod.post) {
             p { +texts.say("rules.choice.about") }
+            saving(texts)
             rows(texts, choosing = true)
-            p("ways") {
-                button { +texts.say("rules.choice.save") }
-                button(classes = "plain") {
-                    name = "all"
-                    +texts.say("rules.choice.all")
-                }
+            saving(texts)
+        }
+
+    /** Stands above the list and below it, which is longer than a window. */
+    private fun FlowContent.saving(texts: PageTexts) =
+        p("ways") {
+            button { +texts.say("rules.choice.save") }
+            button(classes = "plain") {
+                name = "all"
+                +texts.say("rules.choice.all")
             }
         }
 
@@ -115,16 +121,16 @@ private class ExerciseTable(
     private fun FlowContent.rows(
         texts: PageTexts,
         choosing: Boolean,
-    ) = div("scroll") {
+    ) = scrolling(texts.say("rules.title", course.name)) {
         val had = chosen.of(course.id).toSet()
         val set = rules.ofCourse(course)
-        table {
+        table("ruled") {
             thead {
                 tr {
-                    th { +texts.say("rules.column.chosen") }
-                    th { +texts.say("rules.exercise") }
-                    (RuleField.entries - RuleField.ZONE).forEach { th { +texts.say("rules.column.${it.code}") } }
-                    th { +texts.say("rules.column.class") }
+                    val ruled = (RuleField.entries - RuleField.ZONE).map { "rules.column.${it.code}" }
+                    (listOf("rules.column.chosen", "rules.exercise") + ruled + "rules.column.class").forEach {
+                        th(scope = ThScope.col) { +texts.say(it) }
+                    }
                 }
             }
             tbody {

@@ -148,7 +148,10 @@ private suspend fun ApplicationCall.respondTrial(
     val texts = texts()
     val original = checkNotNull(desk.submissions.find(trial.submission)) { "no original of ${trial.id}" }
     respondPage(texts, who, texts.say("trial.title", texts.original(desk, original))) {
-        p { a("/submissions/${trial.submission}") { +texts.say("trial.back") } }
+        p("ways") {
+            a("/submissions/${trial.submission}") { +texts.say("trial.back") }
+            a("#edit") { +texts.say("trial.edit") }
+        }
         p("plan") {
             val by = trial.by.ifEmpty { texts.say("staff.role.instructor") }
             +texts.say("trial.by", by, trial.begunAt.forPeople())
@@ -183,6 +186,7 @@ private fun FlowContent.editor(
     submission: String,
     source: String,
 ) = section("card apart") {
+    id = "edit"
     h2 { +texts.say("trial.edit") }
     p { +texts.say("trial.about") }
     form(
