@@ -1,5 +1,6 @@
 // Lets the clock of an exam run by the seconds that the server says are left, and keeps what is typed: every few seconds
-// where it has changed, and when time is over.
+// where it has changed, and when time is over. What the server has not got yet is also kept in this window, for a reload
+// while the network is away.
 "use strict";
 
 const clock = document.querySelector("#clock");
@@ -13,6 +14,14 @@ if (clock) {
 
   const kept = new Map(forms.map((form) => [form, form.elements.source.value]));
 
+  for (const form of forms) {
+    const field = form.elements.source;
+    const unsaved = sessionStorage.getItem(form.dataset.draft);
+    if (unsaved !== null) field.value = unsaved;
+    field.addEventListener("input", () => sessionStorage.setItem(form.dataset.draft, field.value));
+    form.addEventListener("submit", () => sessionStorage.removeItem(form.dataset.draft));
+  }
+
   const keep = async (form) => {
     const text = form.elements.source.value;
     if (text === kept.get(form)) return;
@@ -23,6 +32,7 @@ if (clock) {
       const answer = await fetch(form.dataset.draft, { method: "POST", body, credentials: "same-origin" });
       if (!answer.ok) throw new Error(answer.statusText);
       kept.set(form, text);
+      if (form.elements.source.value === text) sessionStorage.removeItem(form.dataset.draft);
       end = performance.now() + 1000 * Number(await answer.text());
       line.textContent = form.dataset.saved;
     } catch {
