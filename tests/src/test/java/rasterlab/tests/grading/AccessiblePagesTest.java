@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.openqa.selenium.Dimension;
+import org.openqa.selenium.Keys;
 
 /**
  * The pages have no serious finding of axe-core: contrast, names for readers that speak, order of
@@ -95,12 +96,26 @@ class AccessiblePagesTest {
     @CsvSource({"en, light, 1280", "ru, dark, 390"})
     void instructorPagesHaveNoSeriousFinding(String language, String scheme, int width)
             throws Exception {
-        instructor.post("/join", "{\"course\":\"" + code + "\",\"name\":\"Emmy\"}");
+        String joining = "{\"course\":\"" + code + "\",\"name\":\"Emmy\"}";
+        var student = instructor.as(instructor.post("/join", joining).path("token").asText());
+        String broken = "class A {\n" + " ".repeat(8) + "int " + "a".repeat(200) + " = b;\n}\n";
+        String submission = student.submit("line-bresenham", broken);
+        student.result(submission);
         try (Browser browser = Browser.open(profile, language)) {
             dress(browser, scheme, width);
             signIn(browser, server.token());
             List<String> findings = new ArrayList<>();
             for (String page : pagesOf(browser)) findings.addAll(findings(browser, page));
+            findings.addAll(findings(browser, "/submissions/" + submission));
+            assertScrolledByKeys(browser, ".diagnostics pre");
+            findings.addAll(findings(browser, "/instructor/submissions/" + submission + "/trials"));
+            browser.element("form[action$='/trials'] button").click();
+            browser.text("#live .diagnostics");
+            findings.addAll(findings(browser, "a copy"));
+            browser.driver().get(address("/submissions/" + submission));
+            browser.element("form[action$='/view'] button").click();
+            browser.element(".viewing");
+            findings.addAll(findings(browser, "a student's view"));
             assertEquals(List.of(), findings);
         }
     }
@@ -124,6 +139,20 @@ class AccessiblePagesTest {
             findings.addAll(findings(browser, "/instructor/exams/" + exam));
             assertEquals(List.of(), findings);
         }
+    }
+
+    /** What does not fit into its width is moved by the keys of the arrows. */
+    private static void assertScrolledByKeys(Browser browser, String css) {
+        var part = browser.element(css);
+        part.sendKeys(Keys.ARROW_RIGHT);
+        browser.waiting()
+                .until(
+                        driver ->
+                                (Boolean)
+                                        browser.driver()
+                                                .executeScript(
+                                                        "return arguments[0].scrollLeft > 0",
+                                                        part));
     }
 
     private static void signIn(Browser browser, String token) {
