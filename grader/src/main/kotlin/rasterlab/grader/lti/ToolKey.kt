@@ -125,7 +125,7 @@ class ToolKey(
             ?.decodeToString()
 
     companion object {
-        /** Longer than anything holds that this server signs, with clocks that differ by minutes. */
+        /** Time that the public half stays: longer than anything holds that it signed, with clocks that differ by minutes. */
         val KEPT: Duration = Duration.ofHours(1)
 
         private const val NAME = "lti"

@@ -3,10 +3,7 @@ package rasterlab.grader.lti
 import com.nimbusds.jose.JWSAlgorithm
 import com.nimbusds.jose.JWSHeader
 import com.nimbusds.jose.crypto.MACSigner
-import com.nimbusds.jose.crypto.RSASSAVerifier
-import com.nimbusds.jose.jwk.JWKSet
 import com.nimbusds.jose.jwk.RSAKey
-import com.nimbusds.jwt.JWTClaimsSet
 import com.nimbusds.jwt.PlainJWT
 import com.nimbusds.jwt.SignedJWT
 import io.ktor.client.request.get
@@ -32,7 +29,6 @@ import rasterlab.grader.Classroom
 import rasterlab.grader.ServerSettings
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer
-import rasterlab.grader.cookieOf
 import rasterlab.grader.course.Staff
 import rasterlab.grader.one
 import rasterlab.grader.postgres.OnPostgres
@@ -82,58 +78,6 @@ open class LaunchTest {
                     "SELECT string_agg(number || ' ' || name, ', ') FROM (SELECT * FROM students ORDER BY number) AS s",
                 ),
             )
-        }
-
-    @Test
-    @DisplayName("a new name at the platform is not taken over, or undoes the name that the roster gave")
-    fun theNameFollows() =
-        room { platform ->
-            register(platform)
-            bindCourse(platform)
-
-            suspend fun come(name: String?): String? {
-                platform.claims = { claim("name", name) }
-                launch(platform)
-                return one("SELECT shown_name FROM students")
-            }
-            assertEquals("Ada Lovelace", come("Ada Lovelace"))
-            assertEquals("Ada King", come("Ada King"))
-            assertEquals("1", one("SELECT count(*) FROM audit WHERE action = 'lti-name'"))
-            assertEquals("Ada King", come(null))
-            assertEquals("Ada King", come("\u0007"))
-            database.write { it.execute("UPDATE students SET name = 'Countess', shown_name = 'Countess'") }
-            assertEquals("Ada King", come("Ada King"))
-            database.write { it.execute("UPDATE students SET name = 'Countess', shown_name = 'Countess'") }
-            assertEquals("Countess", come("Ada King"))
-            database.write { it.execute("UPDATE lti_students SET told_name = NULL") }
-            assertEquals("Countess", come("Ada Byron"))
-            assertEquals("Ada", come("Ada"))
-        }
-
-    @Test
-    @DisplayName("the key before is gone at once or stays, its private half is kept, or another server signs with it")
-    fun theKeyChanges() =
-        LocalPlatform().use { platform ->
-            Classroom(folder, clock = InstantSource { now }).open(grades = false) {
-                register(platform)
-
-                suspend fun read() = JWKSet.parse(client.get("/lti/jwks").bodyAsText()).keys
-                val other = ToolKey(database) { now }
-                val first = read().single().keyID
-                assertEquals(302, sendForm("/instructor/lti/key", "").status.value)
-                val (signs, before) = read()
-                assertEquals(first, before.keyID)
-                assertNotEquals(first, signs.keyID)
-                val signed = SignedJWT.parse(other.sign(JWTClaimsSet.Builder().issuer("x").build()))
-                assertEquals(signs.keyID, signed.header.keyID)
-                assertTrue(signed.verify(RSASSAVerifier(signs.toRSAKey())))
-                val kept = JWKSet.parse(one("SELECT CAST(value AS TEXT) FROM secrets WHERE name = 'lti-before'"))
-                assertTrue(kept.keys.none { it.isPrivate }, "the private half is kept")
-                now += ToolKey.KEPT
-                assertEquals(listOf(signs.keyID), read().map { it.keyID })
-                val page = client.get("/instructor/lti") { header(HttpHeaders.Cookie, cookieOf(instructor)) }
-                assertTrue(signs.keyID in page.bodyAsText())
-            }
         }
 
     @Test

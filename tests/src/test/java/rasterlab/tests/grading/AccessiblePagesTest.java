@@ -141,7 +141,7 @@ class AccessiblePagesTest {
         }
     }
 
-    /** What does not fit into its width is moved by the keys of the arrows. */
+    /** Moves a part that does not fit into its width by the keys of the arrows. */
     private static void assertScrolledByKeys(Browser browser, String css) {
         var part = browser.element(css);
         part.sendKeys(Keys.ARROW_RIGHT);
