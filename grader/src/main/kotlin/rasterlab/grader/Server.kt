@@ -26,10 +26,12 @@ import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.adjustment.adjustments
 import rasterlab.grader.classroom.ClassFront
 import rasterlab.grader.classroom.Efforts
+import rasterlab.grader.classroom.GroupComments
 import rasterlab.grader.classroom.LastResults
 import rasterlab.grader.classroom.efforts
 import rasterlab.grader.classroom.errors
 import rasterlab.grader.classroom.fronts
+import rasterlab.grader.classroom.groupComments
 import rasterlab.grader.comment.Comments
 import rasterlab.grader.comment.KeptComments
 import rasterlab.grader.comment.comments
@@ -197,6 +199,7 @@ class Server(
     private val submissions = Submissions(database)
     private val similar = Similar(database)
     private val last = LastResults(database)
+    private val groupComments = GroupComments(database, clock, last)
     private val front = ClassFront(database)
     private val reports = Reports(database)
     private val adjustments = Adjustments(database, clock)
@@ -264,6 +267,7 @@ class Server(
             results,
             adjustments,
             comments,
+            groupComments,
             CommentedSource(comments, keptComments, courses),
             CaseComplaints(complaints, ::isFree),
             ::isFree,
@@ -321,7 +325,7 @@ class Server(
         scorePages(accounts, courses, exercises, lti)
         courseExercisePages(accounts, courses, exercises, chosen, rules)
         examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
-        errorPages(accounts, courses, exercises, last)
+        errorPages(accounts, courses, exercises, last, groupComments)
         commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
         trialPages(accounts, trialDesk, live)
         viewPages(accounts, submissions)
@@ -349,7 +353,8 @@ class Server(
                 studentRecords(records, exercises::ending)
                 hints(exercises, hints, courses)
                 similarity(exercises, similar)
-                errors(courses, exercises, last)
+                errors(courses, exercises, last, groupComments)
+                groupComments(exercises, submissions, groupComments)
                 efforts(courses, exercises, efforts)
                 fronts(courses, exercises, front)
                 submissions(exercises, intake, queue, choices)

@@ -42,13 +42,7 @@ class ErrorMap(
     val results: List<LastResult>,
     private val exercise: Exercise,
 ) {
-    /** The seed of each submission draws these inputs, so answers to them are those of other questions. */
-    private val drawn =
-        exercise
-            .cases()
-            .filter { it.generated() }
-            .map { it.name() }
-            .toSet()
+    private val wrong = WrongAnswers(exercise)
 
     private val places = exercise.cases().withIndex().associate { (place, case) -> case.name() to place }
 
@@ -65,15 +59,12 @@ class ErrorMap(
 
     /** Two or more students each, the biggest first; only programs have answers that can be compared. */
     val groups: List<WrongGroup> =
-        if (exercise.form() != Exercise.TaskKind.WRITE) {
-            emptyList()
-        } else {
-            results
-                .groupBy { telling(it).let { marks -> if (marks.isEmpty()) "" else hash(fingerprint(marks)) } }
-                .filter { (id, members) -> id.isNotEmpty() && members.size > 1 }
-                .map { (id, members) -> group(id, members) }
-                .sortedWith(compareByDescending<WrongGroup> { it.members.size }.thenBy { it.members.first().name })
-        }
+        results
+            .mapNotNull { one -> wrong.groupOf(one)?.let { it to one } }
+            .groupBy({ it.first }, { it.second })
+            .filterValues { it.size > 1 }
+            .map { (id, members) -> group(id, members) }
+            .sortedWith(compareByDescending<WrongGroup> { it.members.size }.thenBy { it.members.first().name })
 
     private fun mapped(
         name: String,
@@ -87,7 +78,7 @@ class ErrorMap(
             passed,
             marks.size - passed - notRun,
             notRun,
-            name !in drawn && marks.any { it.pixels },
+            name !in wrong.drawn && marks.any { it.pixels },
         )
     }
 
@@ -95,22 +86,9 @@ class ErrorMap(
         id: String,
         members: List<LastResult>,
     ): WrongGroup {
-        val marks = telling(members.first())
-        return WrongGroup(id.take(ID), members, marks.map { it.name }, mistake(members, marks))
+        val marks = wrong.telling(members.first())
+        return WrongGroup(id, members, marks.map { it.name }, mistake(members, marks))
     }
-
-    /** The failed cases that all were asked alike; where there are none, those that were drawn for each. */
-    private fun telling(result: LastResult): List<CaseMark> {
-        val failed = result.cases.filter { !it.passed && it.verdict != GradingVerdict.NOT_RUN }
-        return failed.filter { it.name !in drawn }.ifEmpty { failed }
-    }
-
-    private fun fingerprint(marks: List<CaseMark>) =
-        marks
-            .joinToString("\n") { mark ->
-                val answer = if (mark.name in drawn) "" else "${mark.answer} ${mark.picture}"
-                "${mark.name} ${mark.verdict} $answer"
-            }.toByteArray()
 
     /** The mistake that a report tells to explain all that is wrong, or else the one that each of [marks] shows. */
     private fun mistake(
@@ -131,8 +109,5 @@ class ErrorMap(
     private companion object {
         /** Keys of sentences that name a mutant, a slip or a faulty method of the topic. */
         val NAMING = setOf("known-mistake", "known-fault", "known-fault.told")
-
-        /** Letters of a hash that tell a group from every other one of its exercise. */
-        const val ID = 16
     }
 }

@@ -6,18 +6,25 @@ import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.header
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
+import io.ktor.server.routing.delete
 import io.ktor.server.routing.get
+import io.ktor.server.routing.put
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
+import rasterlab.grader.comment.CommentText
 import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.identity
 import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.rules.course
+import rasterlab.grader.storage.text
+import rasterlab.grader.submission.Submissions
 
 @Serializable
 private data class MappedCaseAnswer(
@@ -44,6 +51,21 @@ private data class WrongGroupAnswer(
     val mistake: String?,
     val cases: List<String>,
     val members: List<MemberAnswer>,
+    val comment: GroupCommentAnswer?,
+)
+
+/** What is said to a group of the same wrong answers. */
+@Serializable
+private data class GroupCommentAnswer(
+    val group: String,
+    val text: String,
+    val name: String,
+    val writtenAt: String,
+)
+
+@Serializable
+private data class ToldAnswer(
+    val comment: GroupCommentAnswer?,
 )
 
 @Serializable
@@ -70,6 +92,7 @@ fun Route.errors(
     courses: Courses,
     exercises: Exercises,
     last: LastResults,
+    comments: GroupComments,
 ) {
     get("/courses/{course}/exercises/{id}/errors") {
         call.staff()
@@ -78,8 +101,28 @@ fun Route.errors(
         val exercise = exercises.named(call.parameters.getOrFail("id"))
         val from = call.from()
         call.respondJson(
-            answer(ErrorMap(last.of(course.id, exercise.id()), exercise), course, exercise, from, language),
+            answer(
+                ErrorMap(last.of(course.id, exercise.id()), exercise),
+                comments.of(course, exercise),
+                course,
+                exercise,
+                from,
+                language,
+            ),
         )
+    }
+    put("/courses/{course}/exercises/{id}/errors/groups/{group}/comment") {
+        val who = call.staff()
+        val course = call.course(courses)
+        val exercise = exercises.named(call.parameters.getOrFail("id"))
+        val text = CommentText.of(call.receiveJson("text") { it.anyText("text") })
+        call.respondJson(answer(comments.write(who, course, exercise, call.group(), text)))
+    }
+    delete("/courses/{course}/exercises/{id}/errors/groups/{group}/comment") {
+        val who = call.staff()
+        val course = call.course(courses)
+        val exercise = exercises.named(call.parameters.getOrFail("id"))
+        call.respondJson(answer(comments.drop(who, course, exercise, call.group())))
     }
     get("/courses/{course}/exercises/{id}/errors/{case}/differences.svg") {
         call.staff()
@@ -91,6 +134,20 @@ fun Route.errors(
         call.respondText(sum.svg(), ContentType.Image.SVG)
     }
 }
+
+/** Serves what is said to all who gave the wrong answers of a submission, inside `authenticate`. */
+fun Route.groupComments(
+    exercises: Exercises,
+    submissions: Submissions,
+    comments: GroupComments,
+) = get("/submissions/{id}/group-comment") {
+    val submission = submissions.seenBy(call.identity(), call.parameters.getOrFail("id"))
+    val told = exercises.find(submission.exercise)?.let { comments.to(submission, it) }
+    call.respondJson(ToldAnswer(told?.let(::answer)))
+}
+
+/** The id of a group in an address. */
+fun ApplicationCall.group(): String = parameters.getOrFail("group")
 
 /** The sum of the differences of a case that all are asked alike; null where there is none. */
 fun LastResults.sum(
@@ -129,8 +186,11 @@ internal fun nextPage(
     all: Int,
 ): Int? = (from.toLong() + PAGE).takeIf { it < all }?.toInt()
 
+private fun answer(one: GroupComment) = GroupCommentAnswer(one.group, one.text, one.name, one.writtenAt.text())
+
 private fun answer(
     map: ErrorMap,
+    comments: Map<String, GroupComment>,
     course: Course,
     exercise: Exercise,
     from: Int,
@@ -155,6 +215,7 @@ private fun answer(
             group.mistake.inJson(language).ifEmpty { null },
             group.cases,
             group.members.map { MemberAnswer(it.student, it.name, it.submission) },
+            comments[group.id]?.let(::answer),
         )
     },
     map.results.drop(from).take(PAGE).map { one ->

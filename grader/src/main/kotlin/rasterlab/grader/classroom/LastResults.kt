@@ -12,6 +12,7 @@ import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.PixelRows
 import rasterlab.grader.storage.Database
+import rasterlab.grader.submission.Submission
 import java.security.MessageDigest
 import java.util.HexFormat
 import kotlin.jvm.optionals.getOrNull
@@ -96,6 +97,32 @@ class LastResults(
             val marks = known.of(handle, rows.map { it.first })
             rows.map { (result, one) -> marks.getValue(result).let { one.copy(cases = it.cases, shared = it.shared) } }
         }
+
+    /** Reads the result of a submission that counts, in a transaction; null where none does. */
+    internal fun of(
+        handle: Handle,
+        submission: Submission,
+    ): LastResult? {
+        val (result, verdict) =
+            handle
+                .createQuery(
+                    """SELECT id, verdict FROM results
+                       WHERE submission_id = :id AND is_current = 1 AND verdict <> 'internal'""",
+                ).bind("id", submission.id)
+                .map { row, _ -> row.getString("id") to row.getString("verdict") }
+                .findOne()
+                .getOrNull() ?: return null
+        val marks = known.of(handle, listOf(result)).getValue(result)
+        return LastResult(
+            submission.student,
+            "",
+            submission.id,
+            submission.attempt,
+            verdict,
+            marks.cases,
+            marks.shared,
+        )
+    }
 
     /** The differences in pixels of one case. */
     fun differences(

@@ -216,6 +216,11 @@ sealed class Rejection(
         id: String,
     ) : Explained("comments", "unknown", arrayOf(id), "unknown-comment")
 
+    /** No two students have these wrong answers, and nothing is said to whoever gives them. */
+    class UnknownGroup(
+        id: String,
+    ) : Explained("comments", "group", arrayOf(id), "unknown-group")
+
     class ForeignComment : Explained("comments", "foreign", emptyArray(), "foreign-comment")
 
     /** A complaint that cannot be opened or answered so; nothing is changed. */

@@ -25,6 +25,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
         is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment, is Rejection.UnknownComment -> NotFound
+        is Rejection.UnknownGroup -> NotFound
         is Rejection.UnknownExam, is Rejection.UnknownWorker, is Rejection.UnknownPlatform -> NotFound
         is Rejection.UnknownComplaint, is Rejection.UnknownTrial -> NotFound
         is Rejection.InExam, is Rejection.ExamAddress -> Forbidden

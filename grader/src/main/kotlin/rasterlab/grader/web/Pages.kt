@@ -10,6 +10,7 @@ import io.ktor.server.plugins.ratelimit.rateLimit
 import io.ktor.server.routing.Route
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.adjustment.Adjustments
+import rasterlab.grader.classroom.GroupComments
 import rasterlab.grader.comment.Comments
 import rasterlab.grader.complaint.ComplaintDesk
 import rasterlab.grader.course.Accounts
@@ -90,6 +91,7 @@ class PageParts(
     val results: Results,
     val adjustments: Adjustments,
     val comments: Comments,
+    val groupComments: GroupComments,
     handed: HandedView,
     cases: CaseView,
     free: (Identity) -> Boolean,
@@ -101,5 +103,5 @@ class PageParts(
     val closed: (Identity) -> Set<String>,
     val clock: InstantSource,
 ) {
-    val resultPage = ResultPage(exercises, submissions, results, adjustments, handed, cases, free)
+    val resultPage = ResultPage(exercises, submissions, results, adjustments, groupComments, handed, cases, free)
 }

@@ -10,7 +10,9 @@ import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import kotlinx.html.FlowContent
 import kotlinx.html.a
+import kotlinx.html.article
 import kotlinx.html.div
+import kotlinx.html.h2
 import kotlinx.html.id
 import kotlinx.html.p
 import kotlinx.html.stream.createHTML
@@ -18,6 +20,7 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.published.PublishedCase
 import rasterlab.exercises.score.Disclosure
 import rasterlab.grader.adjustment.Adjustments
+import rasterlab.grader.classroom.GroupComments
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
@@ -46,6 +49,7 @@ fun Route.resultPages(
                 val view = results.view(who, submission.id, texts.language)
                 val sheet = SheetResult.of(exercises.at(submission.exercise, view.revision), submission.source)
                 val below = page.cases.below(texts, who, submission, typed = null)
+                page.toGroup(this, texts, submission)
                 result(texts, view, submission.source, results.files(submission), sheet, below)
             },
         )
@@ -115,6 +119,7 @@ class ResultPage(
     private val submissions: Submissions,
     private val results: Results,
     private val adjustments: Adjustments,
+    private val groups: GroupComments,
     private val handed: HandedView,
     internal val cases: CaseView,
     private val free: (Identity) -> Boolean,
@@ -164,6 +169,7 @@ class ResultPage(
                     attributes["data-events"] = "/api/v1/submissions/${submission.id}/events"
                     attributes["data-fragment"] = "/submissions/${submission.id}/fragment"
                 }
+                toGroup(this, texts, submission)
                 result(texts, view, submission.source, files, sheet, cases.below(texts, who, submission, typed))
             }
             ways(texts, who, submission, files.asksForPrograms)
@@ -171,6 +177,22 @@ class ResultPage(
             handed.show(this, texts, who, submission, title, typed)
             if (who is Identity.Instructor && view.verdict != null) {
                 marking(texts, submission, adjustments.of(submission.id), typed)
+            }
+        }
+    }
+
+    /** Shows what staff say to all who gave the wrong answers of a submission. */
+    internal fun toGroup(
+        place: FlowContent,
+        texts: PageTexts,
+        submission: Submission,
+    ) {
+        val told = exercises.find(submission.exercise)?.let { groups.to(submission, it) } ?: return
+        place.article("card apart thread") {
+            h2 { +texts.say("group.heading") }
+            div("said") {
+                p("by") { +texts.say("comment.at", told.writtenAt.forPeople()) }
+                p("words") { +told.text }
             }
         }
     }

@@ -1,7 +1,9 @@
 package rasterlab.grader.classroom
 
+import io.ktor.client.request.delete
 import io.ktor.client.request.get
 import io.ktor.client.request.header
+import io.ktor.client.request.put
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import kotlinx.serialization.json.JsonObject
@@ -29,6 +31,7 @@ import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
+import rasterlab.grader.bearer
 import rasterlab.grader.cookieOf
 import rasterlab.grader.json
 import rasterlab.grader.list
@@ -160,6 +163,74 @@ class ErrorMapTest {
                 groups.map { it.text("group") },
                 map(course).list("groups").map { it.jsonObject.text("group") },
             )
+        }
+
+    @Test
+    @DisplayName("a comment to a group misses who comes later, or reaches others, or whoever left the group")
+    fun oneCommentReachesAGroup() =
+        classroom().open {
+            val course = newCourse()
+            val ada = newStudent(course)
+            val first = hand(ada, "#- ok")
+            hand(newStudent(course), "#- #-")
+            val other = newStudent(course)
+            val apart = hand(other, "-# ok")
+            val group =
+                map(course)
+                    .list("groups")
+                    .single()
+                    .jsonObject
+                    .text("group")
+            val path = "$API/$course/$ERRORS/groups/$group/comment"
+            val said =
+                client.put(path) {
+                    bearer(instructor)
+                    json("""{"text":"The last pixel!"}""")
+                }
+            assertEquals(200, said.status.value, said.bodyAsText())
+            assertEquals(
+                "The last pixel!",
+                map(course)
+                    .list("groups")
+                    .single()
+                    .jsonObject
+                    .getValue("comment")
+                    .jsonObject
+                    .text("text"),
+            )
+            assertEquals("The last pixel!", told(ada, first))
+            assertEquals(null, told(other, apart))
+            val late = newStudent(course)
+            assertEquals("The last pixel!", told(late, hand(late, "#- +")))
+            assertEquals(null, told(ada, hand(ada, "ok ok")))
+            val page = client.get("/submissions/$first") { header(HttpHeaders.Cookie, cookieOf(ada)) }.bodyAsText()
+            assertTrue("The last pixel!" in page && "To all who gave these wrong answers" in page, page)
+            client
+                .put(path.replace(group, "0000000000000000")) {
+                    bearer(instructor)
+                    json("""{"text":"Nobody."}""")
+                }.assertProblem(404, "unknown-group")
+            look(other, path.replace("/comment", "")).let { assertEquals(404, it.status.value) }
+            assertEquals(200, client.delete(path) { bearer(instructor) }.status.value)
+            assertEquals(null, told(ada, first))
+            client.delete(path) { bearer(instructor) }.assertProblem(404, "unknown-group")
+            assertEquals(listOf("comment-group", "comment-group-drop"), notes())
+        }
+
+    private suspend fun Visit.told(
+        token: String,
+        submission: String,
+    ): String? {
+        val told = look(token, "/api/v1/submissions/$submission/group-comment").json().getValue("comment")
+        return (told as? JsonObject)?.text("text")
+    }
+
+    private fun Visit.notes(): List<String> =
+        database.read { handle ->
+            handle
+                .createQuery("SELECT action FROM audit WHERE action LIKE 'comment-group%' ORDER BY noted_at, action")
+                .mapTo(String::class.java)
+                .list()
         }
 
     @Test

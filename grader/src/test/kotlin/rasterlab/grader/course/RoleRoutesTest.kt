@@ -189,6 +189,7 @@ class RoleRoutesTest {
                 "other" to submissions[0].second,
                 "complaint" to complaint(student, submissions[0].second),
                 "kept" to "none",
+                "group" to "none",
                 "case" to "open-case",
                 "picture" to "actual.png",
                 "name" to "dot.svg",

@@ -5,16 +5,24 @@
 package rasterlab.grader.web.classroom
 
 import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.respondRedirect
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
+import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.html.FlowContent
+import kotlinx.html.FormMethod
 import kotlinx.html.TR
 import kotlinx.html.ThScope
 import kotlinx.html.a
+import kotlinx.html.button
 import kotlinx.html.details
+import kotlinx.html.div
+import kotlinx.html.form
 import kotlinx.html.h2
+import kotlinx.html.id
 import kotlinx.html.img
+import kotlinx.html.label
 import kotlinx.html.li
 import kotlinx.html.p
 import kotlinx.html.section
@@ -23,6 +31,7 @@ import kotlinx.html.summary
 import kotlinx.html.table
 import kotlinx.html.tbody
 import kotlinx.html.td
+import kotlinx.html.textArea
 import kotlinx.html.th
 import kotlinx.html.thead
 import kotlinx.html.tr
@@ -31,13 +40,17 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.score.Disclosure
 import rasterlab.grader.classroom.CaseMark
 import rasterlab.grader.classroom.ErrorMap
+import rasterlab.grader.classroom.GroupComment
+import rasterlab.grader.classroom.GroupComments
 import rasterlab.grader.classroom.LastResult
 import rasterlab.grader.classroom.LastResults
 import rasterlab.grader.classroom.MappedCase
 import rasterlab.grader.classroom.WrongGroup
 import rasterlab.grader.classroom.differencesAddress
 import rasterlab.grader.classroom.from
+import rasterlab.grader.classroom.group
 import rasterlab.grader.classroom.sum
+import rasterlab.grader.comment.CommentText
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
@@ -45,8 +58,12 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.web.PageTexts
+import rasterlab.grader.web.comment.COMMENT_BYTES
 import rasterlab.grader.web.courseOf
 import rasterlab.grader.web.exerciseOf
+import rasterlab.grader.web.forPeople
+import rasterlab.grader.web.receiveForm
+import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.rulesAddress
 import rasterlab.grader.web.scrolling
@@ -61,13 +78,27 @@ fun Route.errorPages(
     courses: Courses,
     exercises: Exercises,
     last: LastResults,
+    comments: GroupComments,
 ) {
     get("/instructor/courses/{course}/exercises/{id}/errors") {
         val who = call.staffHere(accounts)
         val course = call.courseOf(courses)
         val exercise = call.exerciseOf(exercises)
-        val from = call.from()
-        call.respondErrors(who, course, exercise, ErrorMap(last.of(course.id, exercise.id()), exercise), from)
+        val map = ErrorMap(last.of(course.id, exercise.id()), exercise)
+        call.respondErrors(who, course, exercise, map, comments.of(course, exercise))
+    }
+    post("/instructor/courses/{course}/exercises/{id}/errors/groups/{group}/comment") {
+        call.requireOwnForm()
+        val who = call.staffHere(accounts)
+        val course = call.courseOf(courses)
+        val exercise = call.exerciseOf(exercises)
+        val text = call.receiveForm(COMMENT_BYTES)["text"].orEmpty()
+        if (text.isBlank()) {
+            comments.drop(who, course, exercise, call.group())
+        } else {
+            comments.write(who, course, exercise, call.group(), CommentText.of(text))
+        }
+        call.respondRedirect("${errorsAddress(course, exercise)}#group-${call.group()}")
     }
     get("/instructor/courses/{course}/exercises/{id}/errors/{case}") {
         val who = call.staffHere(accounts)
@@ -90,9 +121,10 @@ private suspend fun ApplicationCall.respondErrors(
     course: Course,
     exercise: Exercise,
     map: ErrorMap,
-    from: Int,
+    comments: Map<String, GroupComment>,
 ) {
     val texts = texts()
+    val from = from()
     val heading = "${texts.say("errors.heading")}: ${exercise.title(texts.language)} — ${course.name}"
     respondPage(texts, who, heading) {
         waysOfClass(texts, course, exercise, "errors")
@@ -108,7 +140,9 @@ private suspend fun ApplicationCall.respondErrors(
             h2 { +texts.say("errors.without") }
             ul { map.withoutCases.forEach { li { work(texts, it) } } }
         }
-        if (exercise.form() == Exercise.TaskKind.WRITE && map.cases.isNotEmpty()) groups(texts, exercise, map.groups)
+        if (exercise.form() == Exercise.TaskKind.WRITE && map.cases.isNotEmpty()) {
+            groups(texts, course, exercise, map.groups, comments)
+        }
     }
 }
 
@@ -218,14 +252,17 @@ private fun TR.mark(
 
 private fun FlowContent.groups(
     texts: PageTexts,
+    course: Course,
     exercise: Exercise,
     groups: List<WrongGroup>,
+    comments: Map<String, GroupComment>,
 ) {
     h2 { +texts.say("errors.groups") }
     p("plan") { +texts.say("errors.groups.about") }
     if (groups.isEmpty()) p { +texts.say("errors.groups.none") }
     groups.forEach { group ->
         section("card apart") {
+            id = "group-${group.id}"
             p("title") {
                 val named = group.mistake.`in`(texts.language)
                 +texts.say("errors.group", group.members.size)
@@ -241,6 +278,48 @@ private fun FlowContent.groups(
                 summary { +texts.say("errors.group.cases", group.cases.size) }
                 ul { group.cases.forEach { li { +exercise.caseTitle(it, texts.language) } } }
             }
+            comment(texts, course, exercise, group.id, comments[group.id])
+        }
+    }
+    val others = comments.values.filter { said -> groups.none { it.id == said.group } }
+    if (others.isNotEmpty()) h2 { +texts.say("group.others") }
+    others.forEach {
+        section("card apart") {
+            id = "group-${it.group}"
+            comment(texts, course, exercise, it.group, it)
+        }
+    }
+}
+
+/** What is said to a group, and the form that changes it. */
+private fun FlowContent.comment(
+    texts: PageTexts,
+    course: Course,
+    exercise: Exercise,
+    group: String,
+    said: GroupComment?,
+) {
+    if (said != null) {
+        div("said") {
+            p("by") { +"${said.name} ${texts.say("comment.at", said.writtenAt.forPeople())}".trim() }
+            p("words") { +said.text }
+        }
+    }
+    details {
+        summary { +texts.say(if (said == null) "group.write" else "group.change") }
+        form("${errorsAddress(course, exercise)}/groups/$group/comment", method = FormMethod.post) {
+            label {
+                htmlFor = "text-$group"
+                +texts.say("group.text")
+            }
+            textArea {
+                id = "text-$group"
+                name = "text"
+                rows = "4"
+                attributes["maxlength"] = "${CommentText.MOST}"
+                +said?.text.orEmpty()
+            }
+            button { +texts.say("group.save") }
         }
     }
 }
