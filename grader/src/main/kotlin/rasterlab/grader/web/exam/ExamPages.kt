@@ -203,7 +203,7 @@ private suspend fun ApplicationCall.respondSitting(
                         }
                     }
                     val draft = drafts[exercise.id()]
-                    work(texts, sitting.exam, exercise, draft, draft?.source ?: starter(student, exercise))
+                    work(texts, sitting, exercise, draft, draft?.source ?: starter(student, exercise))
                 }
             }
         }
@@ -236,15 +236,16 @@ private fun FlowContent.clock(
 
 private fun FlowContent.work(
     texts: PageTexts,
-    exam: Exam,
+    sitting: Sitting,
     exercise: Exercise,
     draft: Draft?,
     text: String,
 ) = div("card") {
-    val address = "/exams/${exam.id}/exercises/${exercise.id()}"
+    val address = "/exams/${sitting.exam.id}/exercises/${exercise.id()}"
     p { a("/exercises/${exercise.id()}/starter") { +"${texts.say("exercise.starter")} (${exercise.starterFile()})" } }
     form(address, encType = FormEncType.multipartFormData, method = FormMethod.post) {
         attributes["data-draft"] = "$address/draft"
+        attributes["data-kept"] = "$address ${sitting.student}"
         attributes["data-saved"] = texts.say("exam.saved")
         attributes["data-failed"] = texts.say("exam.failed")
         input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }

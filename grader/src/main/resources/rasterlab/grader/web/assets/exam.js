@@ -1,6 +1,6 @@
 // Lets the clock of an exam run by the seconds that the server says are left, and keeps what is typed: every few seconds
 // where it has changed, and when time is over. What the server has not got yet is also kept in this window, for a reload
-// while the network is away.
+// while the network is away: under a name that is the student's own, since another may sign in here next.
 "use strict";
 
 const clock = document.querySelector("#clock");
@@ -16,10 +16,9 @@ if (clock) {
 
   for (const form of forms) {
     const field = form.elements.source;
-    const unsaved = sessionStorage.getItem(form.dataset.draft);
+    const unsaved = sessionStorage.getItem(form.dataset.kept);
     if (unsaved !== null) field.value = unsaved;
-    field.addEventListener("input", () => sessionStorage.setItem(form.dataset.draft, field.value));
-    form.addEventListener("submit", () => sessionStorage.removeItem(form.dataset.draft));
+    field.addEventListener("input", () => sessionStorage.setItem(form.dataset.kept, field.value));
   }
 
   const keep = async (form) => {
@@ -32,7 +31,7 @@ if (clock) {
       const answer = await fetch(form.dataset.draft, { method: "POST", body, credentials: "same-origin" });
       if (!answer.ok) throw new Error(answer.statusText);
       kept.set(form, text);
-      if (form.elements.source.value === text) sessionStorage.removeItem(form.dataset.draft);
+      if (form.elements.source.value === text) sessionStorage.removeItem(form.dataset.kept);
       end = performance.now() + 1000 * Number(await answer.text());
       line.textContent = form.dataset.saved;
     } catch {
