@@ -15,7 +15,7 @@ import rasterlab.exercises.runner.process.Daemons;
  * same time where there are two processors.
  */
 final class CallsBeside implements AutoCloseable {
-    /** Far longer than a call takes that is interrupted. */
+    /** A time far longer than an interrupted call takes. */
     private static final int PATIENCE_SECONDS = 60;
 
     private final ExecutorService thread =
@@ -64,6 +64,7 @@ final class CallsBeside implements AutoCloseable {
             Throwable cause = failed.getCause();
             if (cause instanceof ChildLost lost) throw lost;
             if (cause instanceof InterruptedException interrupted) throw interrupted;
+            if (cause instanceof RuntimeException cannotStart) throw cannotStart;
             throw new IllegalStateException("the reference cannot be called", cause);
         }
     }

@@ -43,7 +43,7 @@ record ChildJava(Map<ChildKind, Path> homes, Optional<JavaImages> images, Messag
         return running(Message.of("isolation.image-making"));
     }
 
-    /** Whether there would be images, but takes the time to make one first. */
+    /** Whether images are wanted and can be made, but are not all there yet. */
     static boolean isToBeMade(JudgeSettings settings, Launcher launcher, ChildJars jars) {
         if (settings.images().isEmpty() || !JavaImages.canMake()) return false;
         JavaImages images = new JavaImages(settings.images().get(), launcher, jars);

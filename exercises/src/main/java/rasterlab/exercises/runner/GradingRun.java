@@ -129,8 +129,11 @@ final class GradingRun {
             differing.forEach(marking::put);
             return report(cases, marking, differing, speed(student, model, beside, cases, marking));
         } finally {
-            beside.ifPresent(CallsBeside::close);
-            beside.map(CallsBeside::reference).ifPresent(Student::close);
+            try {
+                beside.ifPresent(CallsBeside::close);
+            } finally {
+                beside.map(CallsBeside::reference).ifPresent(Student::close);
+            }
         }
     }
 

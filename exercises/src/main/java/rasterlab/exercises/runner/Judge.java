@@ -156,8 +156,8 @@ public final class Judge implements Grading, AutoCloseable {
             ChildJava java = ChildJava.found(settings, launcher, jars);
             Box other = BoxChoice.on(launcher, jars, java).choose(settings.box());
             if (released.get()) return;
-            box = other;
             children.moveTo(other);
+            box = other;
             changed.accept(other.isolation());
         } catch (RuntimeException failure) {
             if (!released.get())
