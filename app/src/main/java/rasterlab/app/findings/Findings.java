@@ -129,9 +129,10 @@ public final class Findings {
         try {
             Study study = StudyRunner.measure(topic, settings, step -> {}, stopped);
             if (!study.isTimed()) return TopicFinding.none(texts.text("notMeasured"));
+            writeData(study);
+            if (stopped.getAsBoolean()) return TopicFinding.none(texts.text("cut"));
             HazardMatrix hazards = judged(topic);
             var words = new FoundWords(topic, study, hazards, language);
-            writeData(study);
             writeTopic(topic, study, hazards, words);
             String first = words.sentences().get(0);
             return study.isWhole()
