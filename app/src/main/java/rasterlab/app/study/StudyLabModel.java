@@ -78,7 +78,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         deaf = own.whenBrought(topic -> events.execute(() -> renew(topic)));
         background = new Background("study", events, onFailure);
         reading = new LatestReading("kept studies", events, onFailure);
-        state = first(topics.get(0), false, StudyView.HAZARDS);
+        state = first(topics.get(0), false, StudyView.CHART);
     }
 
     /** The part that is kept between runs beside the measurements. */

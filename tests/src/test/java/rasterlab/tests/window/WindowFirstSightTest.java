@@ -63,7 +63,7 @@ class WindowFirstSightTest extends WindowHarness {
     @Test
     @DisplayName("a hazard that the table of verdicts opens is shown without its verdicts")
     void openedHazardIsToldInItsTab() {
-        show("study");
+        showHazards();
         window.table("hazards").selectCell(TableCell.row(0).column(0));
         robot.waitForIdle();
         window.button("open").click();

@@ -42,6 +42,7 @@ import rasterlab.app.shell.settings.LabLook;
 import rasterlab.app.shell.settings.LabSettings;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.settings.SettingsFile;
+import rasterlab.app.study.StudyView;
 import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.line.Segment;
 import rasterlab.tests.bench.window.WindowContent;
@@ -143,6 +144,13 @@ abstract class WindowHarness {
 
     Path settings() {
         return folder.resolve("window.properties");
+    }
+
+    /** Shows the table of hazards of the tab of speed and accuracy, which opens on its chart. */
+    final void showHazards() {
+        show("study");
+        GuiActionRunner.execute(() -> models.study().show(StudyView.HAZARDS));
+        robot.waitForIdle();
     }
 
     /** Shows the tab, which is made in several steps, some of them in the background. */

@@ -92,7 +92,7 @@ class WindowKeysTest extends WindowHarness {
     @Test
     @DisplayName("who moves by Tab does not come out of the table of hazards")
     void tabLeavesTheHazards() {
-        show("study");
+        showHazards();
         JTable table = window.table("hazards").target();
         robot.focusAndWaitForFocusGain(table);
         press(KeyEvent.VK_TAB);
@@ -247,6 +247,7 @@ class WindowKeysTest extends WindowHarness {
 
     @Test
     void windowsKeysWorkWhateverHasTheKeyboard() {
+        showHazards();
         keepsNoKeyOfTheWindow("study", "hazards");
         keepsNoKeyOfTheWindow("exercises", "source");
         keepsNoKeyOfTheWindow("exercises", "statement");
@@ -278,7 +279,7 @@ class WindowKeysTest extends WindowHarness {
 
     @Test
     void tableLeavesTheKeyOfTheControlsToTheWindow() {
-        show("study");
+        showHazards();
         focus("hazards");
         press(KeyEvent.VK_F9);
         await("no controls", () -> !isSeen("topic"));
@@ -288,7 +289,7 @@ class WindowKeysTest extends WindowHarness {
 
     @Test
     void controlAndTabChooseTheNextTabFromATableAndFromTheEditor() {
-        show("study");
+        showHazards();
         focus("hazards");
         pressWithControl(KeyEvent.VK_TAB);
         await("the next tab", () -> isSeen("exercises"));

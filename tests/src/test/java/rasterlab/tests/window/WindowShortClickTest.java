@@ -34,7 +34,7 @@ class WindowShortClickTest extends WindowHarness {
     @Test
     @DisplayName("the keyboard does not follow work to the button that gives it up, and back")
     void keyboardFollowsTheWork() {
-        show("study");
+        showHazards();
         window.comboBox("pace").selectItem(1);
         focus("hazards");
         clickShortly("measure");

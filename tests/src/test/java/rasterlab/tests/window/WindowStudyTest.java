@@ -33,7 +33,7 @@ import rasterlab.tests.bench.window.WindowContent;
 class WindowStudyTest extends WindowHarness {
     @BeforeEach
     void showStudy() {
-        if (window != null) show("study");
+        if (window != null) showHazards();
     }
 
     private StudyLabState state() {

@@ -179,9 +179,7 @@ public final class StudyWords {
                                 .toList());
         var notes = new ArrayList<String>();
         String leftOut = String.join(" ", LeftOutNote.of(level, this).lines());
-        if (!leftOut.isEmpty()) notes.add(leftOut + ".");
-        if (level.measurements().stream().anyMatch(StudyWords::hasNoNumber))
-            notes.add(texts.text("front.notRight.note", withoutNumber(level)));
+        if (!leftOut.isEmpty()) notes.add(leftOut.endsWith(".") ? leftOut : leftOut + ".");
         notes.add(texts.text(frontNoteKey()));
         new ConditionsWords(texts.language()).measuredOn(study).ifPresent(notes::add);
         return String.join(" ", notes);

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.DisplayName;
@@ -219,12 +220,14 @@ class ChartCommandTest {
         Path svg = folder.resolve("d.svg");
         Ran.lab("chart", "depth-precision", "--lang", "ru", "--out", svg.toString()).assertDone();
         assertTrue(Files.readString(svg).contains("измерено делением пополам"), "its marks");
+        var methods = Set.of("zfloat", "linear-16", "reversed-z");
         assertEquals(
                 List.of(),
                 Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<")
                         .matcher(Files.readString(svg))
                         .results()
                         .map(found -> found.group(1).strip())
+                        .filter(text -> !methods.contains(text))
                         .toList());
     }
 
