@@ -137,7 +137,7 @@ final class ServerBench {
                     });
         long graded = all(results).stream().filter(is -> is).count();
         long drained = System.nanoTime() - start;
-        double rate = sent.size() / (accepted / 1e9);
+        double rate = taken.size() / (accepted / 1e9);
         out.println(
                 words.text(
                         key,

@@ -105,11 +105,9 @@ public final class StudyBench {
                 both += runs.get(i).bothTold(runs.get(j));
                 pairs += runs.get(i).pairs();
             }
-        print(
-                words.text("study.tau", percent(both, pairs)),
-                number(tau),
-                number(LEAST_TAU),
-                tau >= LEAST_TAU);
+        String said = words.text("study.tau", percent(both, pairs));
+        if (both == 0) printNothingTold(said, number(LEAST_TAU));
+        else print(said, number(tau), number(LEAST_TAU), tau >= LEAST_TAU);
         print(words.text("study.near"), number(near), number(1), near >= 1);
     }
 
@@ -157,7 +155,13 @@ public final class StudyBench {
             wrong += run.told().stream().filter(one -> known.contains(one.reversed())).count();
         }
         String said = words.text("study.busy", String.valueOf(busy), percent(told, pairs));
-        print(said, wrong + "/" + told, "0", wrong == 0);
+        if (told == 0) printNothingTold(said, "0");
+        else print(said, wrong + "/" + told, "0", wrong == 0);
+    }
+
+    /** A line of a goal that no pair says anything about. */
+    private void printNothingTold(String said, String goal) {
+        out.printf("%s | - | %s | %s%n", said, goal, words.text("study.nothing"));
     }
 
     private void print(String said, String measured, String goal, boolean met) {
