@@ -54,7 +54,7 @@ private data class WrongGroupAnswer(
     val comment: GroupCommentAnswer?,
 )
 
-/** What is said to a group of the same wrong answers. */
+/** A comment to a group of the same wrong answers. */
 @Serializable
 private data class GroupCommentAnswer(
     val group: String,

@@ -17,7 +17,7 @@ import java.time.InstantSource
 import kotlin.jvm.optionals.getOrNull
 
 /**
- * What staff say to all who gave the same wrong answers, now or later.
+ * A comment of staff to all who gave the same wrong answers, now or later.
  *
  * @param group id of theirs
  * @param name of whoever wrote it; empty where the account has none

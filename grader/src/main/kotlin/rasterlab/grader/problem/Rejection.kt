@@ -216,7 +216,6 @@ sealed class Rejection(
         id: String,
     ) : Explained("comments", "unknown", arrayOf(id), "unknown-comment")
 
-    /** No two students have these wrong answers, and nothing is said to whoever gives them. */
     class UnknownGroup(
         id: String,
     ) : Explained("comments", "group", arrayOf(id), "unknown-group")

@@ -291,7 +291,7 @@ private fun FlowContent.groups(
     }
 }
 
-/** What is said to a group, and the form that changes it. */
+/** Shows what is said to a group, and the form that changes it. */
 private fun FlowContent.comment(
     texts: PageTexts,
     course: Course,
