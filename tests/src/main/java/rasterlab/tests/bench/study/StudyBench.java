@@ -20,14 +20,16 @@ import rasterlab.engine.study.measuring.PaceComparison.Order;
 import rasterlab.tests.bench.language.BenchWords;
 import rasterlab.tests.process.JavaCommand;
 
-/** Prints what a quick study may be believed: its own repetition, a known difference, and load. */
+/**
+ * Prints how far a quick study may be believed: its own repetition, a known difference, and load.
+ */
 public final class StudyBench {
     /** A topic whose quick study takes seconds. */
     private static final String TOPIC = "shade";
 
     private static final int BUSY = 8;
 
-    private static final String SLOWED = "bresenham";
+    private static final String USUAL = "bresenham";
     private static final double LEAST_TAU = 0.9;
     private static final double SLOWED_FOUND = 0.95;
 
@@ -112,7 +114,7 @@ public final class StudyBench {
     }
 
     private void printSlowed() {
-        var topic = new SlowedLines(SLOWED);
+        var topic = new SlowedLines(USUAL);
         var slower = new int[topic.workloads().size()];
         var faster = 0;
         for (int run = 0; run < repeated; run++) {
@@ -120,7 +122,7 @@ public final class StudyBench {
             Study study = StudyRunner.measure(topic, settings, step -> {}, () -> false);
             List<Ranking> rankings = Ranking.all(study);
             for (int i = 0; i < rankings.size(); i++) {
-                boolean first = rankings.get(i).places().get(0).method().equals(SLOWED);
+                boolean first = rankings.get(i).places().get(0).method().equals(SlowedLines.SLOWED);
                 Order order = rankings.get(i).toNext(0).order();
                 boolean told = order == Order.FASTER || order == Order.SLOWER;
                 if (told && first) faster++;
