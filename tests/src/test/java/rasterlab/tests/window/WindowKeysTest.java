@@ -104,6 +104,7 @@ class WindowKeysTest extends WindowHarness {
     void chosenTabsPictureTakesTheKeys(String way) {
         window.comboBox("language").focus();
         choose("visibility", way);
+        awaitKeyboard("stage");
         double theta = theta();
         press(KeyEvent.VK_RIGHT);
         press(KeyEvent.VK_DOWN);
@@ -111,6 +112,7 @@ class WindowKeysTest extends WindowHarness {
         assertEquals(Language.ENGLISH, frame.language());
         assertTrue(colors("stage").contains(FOCUS), "focus is not seen");
         choose("line", way);
+        awaitKeyboard("end.A");
         Segment before = segment();
         press(KeyEvent.VK_RIGHT);
         assertEquals(before.x0() + 1, segment().x0());
@@ -138,11 +140,21 @@ class WindowKeysTest extends WindowHarness {
         assertEquals(tab, WindowContent.of(frame).shown());
     }
 
+    private static void awaitKeyboard(String name) {
+        await(name + " has the keyboard", () -> name.equals(keyboardName()));
+    }
+
+    private static String keyboardName() {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        return owner == null ? null : owner.getName();
+    }
+
     @Test
     void clickOnTheShownTabGivesTheKeysToItsPictureToo() {
         Segment before = segment();
         window.comboBox("language").focus();
         choose("line", "mouse");
+        awaitKeyboard("end.A");
         press(KeyEvent.VK_RIGHT);
         assertEquals(before.x0() + 1, segment().x0());
         assertEquals(Language.ENGLISH, frame.language());
