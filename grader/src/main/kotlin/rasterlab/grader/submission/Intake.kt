@@ -12,6 +12,7 @@ import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.Secrets
+import rasterlab.grader.storage.SharedWrites
 import rasterlab.grader.storage.text
 import java.time.Duration
 import java.time.Instant
@@ -46,6 +47,8 @@ class Intake(
     private val limits: IntakeLimits,
     private val clock: InstantSource,
 ) {
+    private val together = SharedWrites(database)
+
     /**
      * @param key what the student calls this request, so that repeating it gives the same submission
      * @param late whether the student agrees that it is marked as late where the deadline has passed
@@ -63,7 +66,7 @@ class Intake(
         if (!database.hasRoom()) throw Rejection.NoRoom()
         val handedSeed = handedSeed(exercise, source)
         val request = Repeatable("submissions ${student.id}", key, "${exercise.id()}\n$source")
-        return database.write { handle ->
+        return together.write { handle ->
             val before = allowance(handle, student.id)
             val earlier = request.made(handle)
             val id =
@@ -96,7 +99,7 @@ class Intake(
         if (!database.hasRoom()) throw Rejection.NoRoom()
         val handedSeed = handedSeed(exercise, source)
         val request = Repeatable("submissions $student", key, "${exercise.id()}\n$source")
-        return database.write { handle ->
+        return together.write { handle ->
             request.made(handle) ?: run {
                 if (limited) checkLimits(handle, student, allowance(handle, student))
                 insert(handle, student, exercise, source, handedSeed, ExerciseRules(due = clock.instant()))
@@ -152,10 +155,14 @@ class Intake(
         handle
             .createUpdate(
                 """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state, round,
-                       hint_cost, due_at, penalty_agreed, penalty)
-                   SELECT :id, :student, :exercise, :revision, coalesce(max(attempt), 0) + 1, :source, :seed, :now, 'queued',
-                       $ROUND, $HINTS, :due, :penalty, :penalty
-                   FROM submissions WHERE student_id = :student AND exercise = :exercise""",
+                       begins_turns, hint_cost, due_at, penalty_agreed, penalty)
+                   SELECT :id, :student, :exercise, :revision, attempt, :source, :seed, :now, 'queued', turn.round,
+                       CASE WHEN EXISTS (SELECT 1 FROM submissions AS before
+                           WHERE before.student_id = :student AND before.round = turn.round - 1) THEN 0 ELSE 1 END,
+                       $HINTS, :due, :penalty, :penalty
+                   FROM (SELECT $ROUND AS round) AS turn,
+                       (SELECT coalesce(max(attempt), 0) + 1 AS attempt
+                           FROM submissions WHERE student_id = :student AND exercise = :exercise) AS mine""",
             ).bind("id", id)
             .bind("student", student)
             .bind("exercise", exercise.id())
@@ -220,11 +227,10 @@ class Intake(
          */
         const val ROUND =
             """(SELECT coalesce(max(come), 0) FROM (
-                   SELECT max(round) AS come FROM submissions WHERE state IN ('running', 'done')
-                   UNION ALL SELECT max(round) FROM submissions AS first
-                       WHERE state = 'queued' AND NOT EXISTS (SELECT 1 FROM submissions AS before
-                           WHERE before.student_id = first.student_id AND before.round = first.round - 1)
-                   UNION ALL SELECT max(round) + 1 FROM submissions
+                   SELECT max(round) AS come FROM submissions WHERE state = 'running'
+                   UNION ALL SELECT max(round) FROM submissions WHERE state = 'done'
+                   UNION ALL SELECT max(round) FROM submissions WHERE state = 'queued' AND begins_turns = 1
+                   UNION ALL SELECT (SELECT max(round) FROM submissions WHERE state = 'done') + 1
                        WHERE NOT EXISTS (SELECT 1 FROM submissions WHERE state IN ('queued', 'running'))
                    UNION ALL SELECT max(first) FROM (
                        SELECT min(round) AS first FROM submissions
