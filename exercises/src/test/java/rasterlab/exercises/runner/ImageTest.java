@@ -6,10 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -32,6 +36,9 @@ import rasterlab.exercises.score.Message;
 @Tag("slow")
 class ImageTest {
     private static final Path IMAGES = StartedJudge.IMAGES;
+
+    /** No process goes further down. */
+    private static final int LAST_OF_ALL = 19;
 
     @TempDir private Path folder;
 
@@ -149,6 +156,51 @@ class ImageTest {
             assertTrue(lacks(judge, "missing.image-making"), judge.isolation()::toString);
         }
         assertEquals(List.of(), Files.exists(images) ? left(images, "making-") : List.of());
+    }
+
+    @Test
+    @DisplayName("making an image takes processor time from what is graded meanwhile")
+    void givesWayToGrading() throws Exception {
+        assumeTrue(Programs.onPath("nice").isPresent(), "nice is missing");
+        assumeTrue(Files.exists(Path.of("/proc/self/stat")), "no such /proc");
+        long me = ProcessHandle.current().pid();
+        var seen = new TreeSet<Integer>();
+        try (ChildJars jars = ChildJars.assemble();
+                Launcher launcher = new Launcher(jars)) {
+            var images = new JavaImages(folder.resolve("images"), launcher, jars);
+            List<String> trial =
+                    ChildKind.RUN.arguments(
+                            jars.harness().toString(), jars.contract().toString(), false);
+            var made =
+                    CompletableFuture.supplyAsync(
+                            () -> {
+                                try {
+                                    return images.home("run", List.of("java.base"), trial);
+                                } catch (IOException e) {
+                                    throw new UncheckedIOException(e);
+                                }
+                            });
+            while (!made.isDone())
+                ProcessHandle.current()
+                        .children()
+                        .filter(one -> one.info().command().orElse("").endsWith("/jlink"))
+                        .flatMap(one -> niceness(one.pid()).stream())
+                        .forEach(seen::add);
+            assertTrue(Files.isDirectory(made.get()));
+        }
+        int mine = niceness(me).orElseThrow();
+        assertEquals(Set.of(Math.min(mine + Programs.STEPS_DOWN, LAST_OF_ALL)), seen);
+    }
+
+    /** How much a process gives way to others; nothing where it has ended. See proc(5). */
+    private static Optional<Integer> niceness(long pid) {
+        try {
+            String stat = Files.readString(Path.of("/proc/" + pid + "/stat"));
+            String[] behindName = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+            return Optional.of(Integer.valueOf(behindName[16]));
+        } catch (IOException ended) {
+            return Optional.empty();
+        }
     }
 
     @Test

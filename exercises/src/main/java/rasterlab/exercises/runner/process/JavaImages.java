@@ -32,7 +32,8 @@ import rasterlab.exercises.child.Wire;
  * quick start. Images of another Java, or for other classes of children, are made anew; those that
  * nobody needs any more are removed then.
  *
- * <p>Several processes may use one folder: one makes an image, the others wait for it.
+ * <p>Several processes may use one folder: one makes an image, the others wait for it. Making one
+ * gives way to all else that the machine has to do, such as what is graded meanwhile.
  */
 public final class JavaImages {
     private static final String PREFIX = "java-";
@@ -242,8 +243,10 @@ public final class JavaImages {
     }
 
     private Process started(List<String> command) throws IOException {
+        List<String> whole = new ArrayList<>(Programs.afterOthers());
+        whole.addAll(command);
         try {
-            return launcher.start(command);
+            return launcher.start(whole);
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }

@@ -21,6 +21,9 @@ public final class Programs {
     static final int MOST_FILES = 256;
     static final int MOST_SECONDS = 30;
 
+    /** The steps that a process goes down which can wait; each takes about a fifth of its share. */
+    public static final int STEPS_DOWN = 10;
+
     private Programs() {}
 
     /** The folder of the running JDK without symbolic links. */
@@ -56,6 +59,16 @@ public final class Programs {
                 .filter(Files::isExecutable)
                 .map(Path::toString)
                 .findFirst();
+    }
+
+    /**
+     * The beginning of a command that gets processor time after others. Empty where there is no
+     * nice.
+     */
+    static List<String> afterOthers() {
+        return onPath("nice")
+                .map(program -> List.of(program, "-n", "" + STEPS_DOWN))
+                .orElseGet(List::of);
     }
 
     /**
