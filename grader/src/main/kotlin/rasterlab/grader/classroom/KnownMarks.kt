@@ -7,6 +7,7 @@ import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
+import rasterlab.grader.submission.hash
 import java.sql.ResultSet
 
 /** The cases of a result, and the mistake that explains all that is wrong; nothing where it tells none. */
@@ -52,8 +53,12 @@ internal class KnownMarks {
                 .list()
                 .toMap()
         val cases =
-            query(handle, "SELECT * FROM case_results WHERE result_id IN (<results>) ORDER BY position", results)
-                .map { row, _ -> row.getString("result_id") to mark(row, pictures) }
+            query(
+                handle,
+                """SELECT result_id, position, name, visibility, verdict, message, message_data FROM case_results
+                   WHERE result_id IN (<results>) ORDER BY position""",
+                results,
+            ).map { row, _ -> row.getString("result_id") to mark(row, pictures) }
                 .list()
                 .filter { (_, mark) -> CaseReport.ownTitle(mark.name, "en").isEmpty }
                 .groupBy({ it.first }, { it.second })
@@ -85,14 +90,18 @@ internal class KnownMarks {
         val found = HashMap<Pair<String, Int>, Pictures>()
         query(
             handle,
-            """SELECT result_id, case_position, kind, part, CASE WHEN kind = '${CasePicture.ACTUAL}' THEN png END AS answer
+            """SELECT result_id, case_position, kind, part, png_hash,
+                   CASE WHEN kind = '${CasePicture.ACTUAL}' AND png_hash IS NULL THEN png END AS not_hashed
                FROM case_pictures WHERE result_id IN (<results>)
                    AND kind IN ('${CasePicture.ACTUAL}', '${CasePicture.DIFFERENCE}')""",
             results,
         ).map { row, _ ->
             val of = found.getOrPut(row.getString("result_id") to row.getInt("case_position")) { Pictures() }
-            row.getBytes("answer")?.let { of.answer = hash(it) }
-            if (row.getString("kind") == CasePicture.DIFFERENCE && row.getString("part") != null) of.pixels = true
+            if (row.getString("kind") == CasePicture.ACTUAL) {
+                of.answer = row.getString("png_hash") ?: hash(row.getBytes("not_hashed"))
+            } else if (row.getString("part") != null) {
+                of.pixels = true
+            }
             of
         }.list()
         return found

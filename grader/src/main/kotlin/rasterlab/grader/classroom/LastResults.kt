@@ -13,8 +13,6 @@ import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.PixelRows
 import rasterlab.grader.storage.Database
 import rasterlab.grader.submission.Submission
-import java.security.MessageDigest
-import java.util.HexFormat
 import kotlin.jvm.optionals.getOrNull
 
 /**
@@ -174,7 +172,3 @@ private const val LAST = """WITH last AS (
     JOIN submissions AS s ON s.student_id = enrolled.id AND s.exercise = :exercise
     JOIN results AS r ON r.submission_id = s.id AND r.is_current = 1
     WHERE enrolled.course_id = :course AND r.verdict <> 'internal')"""
-
-/** Hash of what is shown, to tell whether two answers are one. */
-internal fun hash(bytes: ByteArray): String =
-    HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes))

@@ -2,6 +2,7 @@ package rasterlab.grader.classroom
 
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.score.GradingVerdict
+import rasterlab.grader.submission.hash
 
 /** Tells which results of an exercise have the same wrong answers. */
 internal class WrongAnswers(

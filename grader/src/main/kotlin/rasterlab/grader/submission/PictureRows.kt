@@ -5,6 +5,8 @@ import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.PictureBytes
 import rasterlab.exercises.score.PicturePart
+import java.security.MessageDigest
+import java.util.HexFormat
 import java.util.Optional
 import java.util.function.Supplier
 import kotlin.jvm.optionals.getOrNull
@@ -20,16 +22,18 @@ internal class PictureRows(
         pictures: List<CasePicture>,
     ) {
         for ((position, picture) in pictures.withIndex()) {
+            val png = picture.png()
             handle
                 .createUpdate(
-                    """INSERT INTO case_pictures (result_id, case_position, position, kind, png, png_ru, text,
-                           text_data, part)
-                       VALUES (:result, :case, :position, :kind, :png, :russian, :text, :data, :part)""",
+                    """INSERT INTO case_pictures (result_id, case_position, position, kind, png, png_hash,
+                           png_ru, text, text_data, part)
+                       VALUES (:result, :case, :position, :kind, :png, :hash, :russian, :text, :data, :part)""",
                 ).bind("result", result)
                 .bind("case", case)
                 .bind("position", position)
                 .bind("kind", picture.kind())
-                .bind("png", picture.png())
+                .bind("png", png)
+                .bind("hash", hash(png))
                 .bind("russian", picture.russian())
                 .bind("text", picture.text().`in`("en"))
                 .bind("data", picture.text().data())
@@ -56,6 +60,10 @@ internal class PictureRows(
             }.list()
             .groupBy({ it.first }, { it.second })
 }
+
+/** A hash of what is shown, which tells whether two answers are one. */
+internal fun hash(bytes: ByteArray): String =
+    HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes))
 
 /** The picture in Russian where it is another one than in English; null elsewhere. */
 internal fun CasePicture.russian(): ByteArray? = if (file().hasOwn(RUSSIAN)) png(RUSSIAN) else null

@@ -123,6 +123,30 @@ class ErrorMapTest {
         }
 
     @Test
+    @DisplayName(
+        "no hash is kept with a picture, it is not read, or an answer kept before there were hashes is another",
+    )
+    fun pictureHasItsHash() =
+        classroom().open {
+            hand(newStudent(newCourse()), "#+- ok")
+            val id = one("SELECT id FROM courses")
+            val picture = {
+                LastResults(database)
+                    .of(id, "draw-dot")
+                    .single()
+                    .cases
+                    .first()
+                    .picture
+            }
+            val kept = one("SELECT png_hash FROM case_pictures WHERE kind = 'actual'")
+            assertEquals(kept, picture())
+            database.write { it.execute("UPDATE case_pictures SET png_hash = NULL") }
+            assertEquals(kept, picture())
+            database.write { it.execute("UPDATE case_pictures SET png_hash = 'abc'") }
+            assertEquals("abc", picture())
+        }
+
+    @Test
     @DisplayName("an earlier attempt is counted, a case that nobody passes is not told, or speed is taken for a case")
     fun countsTheLastResultOfEach() =
         classroom().open {

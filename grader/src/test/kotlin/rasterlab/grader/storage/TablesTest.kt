@@ -235,6 +235,26 @@ class TablesTest {
             }
         }
 
+    @Test
+    @DisplayName(
+        "a course of version 27 is lost in one of the databases, or its pictures have hashes of something else",
+    )
+    fun keepsPicturesThatHadNoHash() =
+        LocalPostgres().use { postgres ->
+            for (source in listOf(sqlite(), postgres.source)) {
+                Tables(source).migrate("11")
+                fill(source, 11)
+                Tables(source).migrate("27")
+                source.execute("INSERT INTO group_comments VALUES ('c', 'draw-dot', 'g', 'Look.', 'i', '$THEN')")
+                Tables(source).migrate()
+                assertWhole(source, 11)
+                source.assertRows("wrong_group, text FROM group_comments", "g Look.")
+                source.assertRows("png_hash FROM case_pictures", "null")
+                source.execute("UPDATE case_pictures SET png_hash = 'h'")
+                source.assertRows("kind, png_hash FROM case_pictures", "actual h")
+            }
+        }
+
     private fun sqlite(): DataSource =
         SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
             .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }
