@@ -366,7 +366,7 @@ class Server(
                 comparisons(pairs)
                 complaints(submissions, courses, complaints)
                 results(results, live)
-                lti(lti.platforms, courses, lti.states)
+                lti(lti.platforms, lti.key, courses, lti.states)
             }
         }
 

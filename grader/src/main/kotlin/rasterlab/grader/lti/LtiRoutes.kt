@@ -51,9 +51,16 @@ private data class WokenAnswer(
     val scores: Int,
 )
 
-/** Serves registrations of platforms to instructors, inside `authenticate`, and how scores stand there to staff. */
+@Serializable
+private data class KeyAnswer(
+    val id: String,
+    val until: String?,
+)
+
+/** Serves registrations of platforms and this server's key to instructors, inside `authenticate`, and how scores stand there to staff. */
 fun Route.lti(
     platforms: Platforms,
+    key: ToolKey,
     courses: Courses,
     states: ScoreStates,
 ) {
@@ -68,6 +75,14 @@ fun Route.lti(
     delete("/lti/platforms/{platform}") {
         val instructor = call.instructor()
         call.respondJson(answer(platforms.remove(call.parameters.getOrFail("platform"), instructor.id)))
+    }
+    get("/lti/key") {
+        call.instructor()
+        call.respondJson(key.published().map(::answer))
+    }
+    post("/lti/key") {
+        key.renew(call.instructor().id)
+        call.respondJson(key.published().map(::answer), HttpStatusCode.Created)
     }
     get("/courses/{course}/lti/scores") {
         call.staff()
@@ -92,6 +107,8 @@ private suspend fun ApplicationCall.form(): PlatformForm =
             it.flag("makesStaff", false),
         )
     }
+
+private fun answer(one: PublishedKey) = KeyAnswer(one.id, one.until?.text())
 
 private fun answer(one: Platform) =
     PlatformAnswer(

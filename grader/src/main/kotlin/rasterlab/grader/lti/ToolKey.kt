@@ -41,15 +41,31 @@ class ToolKey(
     internal val pair: RSAKey get() = database.read(::stored) ?: database.write { stored(it) ?: fresh(it) }
 
     /** The public halves, as platforms read them: of the key that signs now, and of those whose messages may still hold. */
-    fun publicSet(): String = JWKSet(listOf<JWK>(pair.toPublicJWK()) + database.read(::earlier)).toString()
+    fun publicSet(): String = JWKSet(read().map { it as JWK }).toString()
 
     /** Tells the keys that platforms read, the one that signs first. */
-    fun published(): List<PublishedKey> =
-        listOf(PublishedKey(pair.keyID, null)) +
-            database.read(::earlier).map { PublishedKey(it.keyID, it.expirationTime.toInstant()) }
+    fun published(): List<PublishedKey> = read().map { PublishedKey(it.keyID, it.expirationTime?.toInstant()) }
+
+    /** Reads all public halves, the one that signs first. */
+    private fun read(): List<RSAKey> =
+        database.read(::both)
+            ?: database.write { handle -> both(handle) ?: listOf(fresh(handle).toPublicJWK()) }
+
+    /** Reads them in one statement, so that a key which is changed meanwhile is not between the two. */
+    private fun both(handle: Handle): List<RSAKey>? {
+        val found =
+            handle
+                .createQuery("SELECT name, value FROM secrets WHERE name IN ('$NAME', '$BEFORE')")
+                .map { row, _ -> row.getString("name") to row.getBytes("value").decodeToString() }
+                .list()
+                .toMap()
+        val signs = found[NAME]?.let(RSAKey::parse) ?: return null
+        return listOf(signs.toPublicJWK()) + stillRead(found[BEFORE])
+    }
 
     /**
-     * Makes another pair, which signs from now on. The private half of the one before is gone; its public half is read for
+     * Makes another pair, which signs from now on; of two that are made at once, by whichever servers, one comes after the
+     * other, which is read like any before. The private half of the one before is gone; its public half is read for
      * [KEPT], until all that it signed has run out.
      *
      * @param by who does it, for the audit
@@ -104,8 +120,10 @@ class ToolKey(
 
     private fun stored(handle: Handle): RSAKey? = secret(handle, NAME)?.let(RSAKey::parse)
 
-    private fun earlier(handle: Handle): List<RSAKey> =
-        secret(handle, BEFORE)
+    private fun earlier(handle: Handle): List<RSAKey> = stillRead(secret(handle, BEFORE))
+
+    private fun stillRead(keys: String?): List<RSAKey> =
+        keys
             ?.let(JWKSet::parse)
             ?.keys
             .orEmpty()

@@ -6,8 +6,12 @@ import com.nimbusds.jwt.JWTClaimsSet
 import com.nimbusds.jwt.SignedJWT
 import io.ktor.client.request.get
 import io.ktor.client.request.header
+import io.ktor.client.request.post
+import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -17,7 +21,9 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
+import rasterlab.grader.bearer
 import rasterlab.grader.cookieOf
+import rasterlab.grader.field
 import rasterlab.grader.one
 import rasterlab.grader.sendForm
 import java.nio.file.Path
@@ -63,6 +69,9 @@ class LaterChangesTest {
             assertEquals("Ada", come("Ada"))
         }
 
+    private suspend fun published(answer: HttpResponse): List<String> =
+        Json.parseToJsonElement(answer.bodyAsText()).jsonArray.map { it.field("id") }
+
     @Test
     @DisplayName("the key before is gone at once or stays, its private half is kept, or another server signs with it")
     fun theKeyChanges() =
@@ -82,10 +91,18 @@ class LaterChangesTest {
                 assertTrue(signed.verify(RSASSAVerifier(signs.toRSAKey())))
                 val kept = JWKSet.parse(one("SELECT CAST(value AS TEXT) FROM secrets WHERE name = 'lti-before'"))
                 assertTrue(kept.keys.none { it.isPrivate }, "the private half is kept")
+                assertEquals(listOf(signs.keyID, first), published(client.get(KEY) { bearer(instructor) }))
+                val third = published(client.post(KEY) { bearer(instructor) })
+                assertEquals(listOf(third.first(), first, signs.keyID), third)
+                assertEquals("2", one("SELECT count(*) FROM audit WHERE action = 'lti-key'"))
                 now += ToolKey.KEPT
-                assertEquals(listOf(signs.keyID), read().map { it.keyID })
+                assertEquals(listOf(third.first()), read().map { it.keyID })
                 val page = client.get("/instructor/lti") { header(HttpHeaders.Cookie, cookieOf(instructor)) }
-                assertTrue(signs.keyID in page.bodyAsText())
+                assertTrue(third.first() in page.bodyAsText())
             }
         }
+
+    private companion object {
+        const val KEY = "/api/v1/lti/key"
+    }
 }

@@ -2,6 +2,7 @@ package rasterlab.grader.storage
 
 import rasterlab.grader.exam.ExamTest
 import rasterlab.grader.exercise.KeptExercisesTest
+import rasterlab.grader.lti.ToolKeyTest
 import rasterlab.grader.metrics.MetersTest
 import rasterlab.grader.postgres.OnPostgres
 import rasterlab.grader.regrade.RegradesTest
@@ -42,6 +43,10 @@ class ReportsOnPostgresTest : ReportsTest()
 
 @OnPostgres
 class SpeedBandsOnPostgresTest : SpeedBandsTest()
+
+/** Two servers change the key that they share. */
+@OnPostgres
+class ToolKeyOnPostgresTest : ToolKeyTest()
 
 @OnPostgres
 class TurnsOnPostgresTest : TurnsTest()
