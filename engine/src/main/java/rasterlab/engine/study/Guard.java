@@ -7,6 +7,9 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import rasterlab.engine.study.SpentTime.Look;
 
 /**
  * Runs foreign code on a thread of its own, so that it may crash or never end.
@@ -14,8 +17,8 @@ import java.util.concurrent.TimeoutException;
  * <p>A thread that does not end cannot be stopped from outside; it is interrupted and left behind
  * as a daemon, which does not keep the process alive.
  *
- * <p>On a busy machine a thread waits for its turn, which is no fault of its code: one that wants
- * to run when its limit has passed gets that much processor time, see {@link CpuStarvation}.
+ * <p>On a busy machine a thread waits for its turn, which is no fault of its code: it is given up
+ * when it has had its limit of processor time or of sleep, see {@link SpentTime}.
  */
 public final class Guard {
     private Guard() {}
@@ -33,15 +36,24 @@ public final class Guard {
      * The outcome of {@code work} within {@code limit}, errors of the virtual machine included.
      *
      * @param name of the thread
+     * @param limit of its processor time and its sleep together
      * @throws CancellationException when the waiting thread is interrupted
      */
     public static <T> CallOutcome<T> call(String name, Callable<T> work, Duration limit) {
+        return call(name, work, limit, SpentTime.Look::at);
+    }
+
+    /**
+     * @param watch looks at the thread, once in a while
+     */
+    static <T> CallOutcome<T> call(
+            String name, Callable<T> work, Duration limit, Function<Thread, Look> watch) {
         var task = new FutureTask<>(work);
         var thread = new Thread(task, name);
         thread.setDaemon(true);
         thread.start();
         try {
-            return within(limit, task, thread);
+            return within(limit, task, () -> watch.apply(thread));
         } catch (ExecutionException e) {
             return new Failed<>(e.getCause());
         } catch (InterruptedException e) {
@@ -51,17 +63,21 @@ public final class Guard {
         }
     }
 
-    private static <T> CallOutcome<T> within(Duration limit, FutureTask<T> task, Thread thread)
+    private static <T> CallOutcome<T> within(
+            Duration limit, FutureTask<T> task, Supplier<Look> watch)
             throws ExecutionException, InterruptedException {
         long start = System.nanoTime();
-        Duration wait = limit;
+        var spent = new SpentTime(limit);
+        Duration wait = spent.first();
         while (true) {
             try {
                 return new Returned<>(task.get(wait.toNanos(), TimeUnit.NANOSECONDS));
             } catch (TimeoutException e) {
                 Duration passed = Duration.ofNanos(System.nanoTime() - start);
-                wait = CpuStarvation.of(thread).more(limit, passed);
+                wait = spent.more(watch.get(), passed);
             }
+            // It may have ended while it was looked at, and a thread that has ended does not run.
+            if (wait.isZero() && task.isDone()) return new Returned<>(task.get());
             if (wait.isZero()) {
                 task.cancel(true);
                 return new TimedOut<>(limit);

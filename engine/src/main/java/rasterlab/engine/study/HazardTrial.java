@@ -14,7 +14,8 @@ import java.util.function.Function;
  *
  * <p>A long answer is compared by the part that {@link Topic#exactPart} chooses, and one that still
  * has more than {@link Topic#mostItems} items by its first so many. A method is endless when it
- * produces more than twice the exact items and 1,000 more, or goes beyond the wall limit.
+ * produces more than twice the exact items and 1,000 more, or goes beyond the wall limit, to which
+ * time that it waits for a processor does not count, see {@link Guard}.
  */
 public final class HazardTrial {
     /** The wall limit where somebody waits for the verdict: no right method comes near it. */

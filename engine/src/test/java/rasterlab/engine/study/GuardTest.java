@@ -10,35 +10,79 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.engine.study.SpentTime.Look;
 
 class GuardTest {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-    @ParameterizedTest(name = "running {0}, {1} ms of 100 used after {2} ms: {3} ms more")
+    private static final Duration LIMIT = Duration.ofMillis(100);
+
+    @ParameterizedTest(name = "{0} ms of 100 used after {1} ms: looked at again after {2} ms")
     @CsvSource({
-        "true, 40, 100, 60",
-        "true, 0, 100, 100",
-        "true, 98, 2000, 2",
-        "true, 0, 9999, 100",
-        "true, 0, 10000, 0",
-        "true, 100, 100, 0",
-        "true, 130, 200, 0",
-        "false, 40, 100, 0",
+        "40, 100, 5",
+        "0, 100, 5",
+        "98, 2000, 2",
+        "0, 9999, 5",
+        "0, 10000, 0",
+        "100, 100, 0",
+        "130, 200, 0",
     })
-    void onlyWhatRunsIsWaitedForUntilItHasHadItsTime(
-            boolean runs, long used, long passed, long more) {
-        var thread = new CpuStarvation(runs, Duration.ofMillis(used));
-        assertEquals(
-                Duration.ofMillis(more),
-                thread.more(Duration.ofMillis(100), Duration.ofMillis(passed)));
+    void whatRunsIsWaitedForUntilItHasHadItsTime(long used, long passed, long more) {
+        assertEquals(ms(more), new SpentTime(LIMIT).more(new Look(true, ms(used)), ms(passed)));
     }
 
     @Test
     void theLastNanosecondIsNotWaitedForInVain() {
-        Duration limit = Duration.ofMillis(100);
-        assertEquals(
-                Duration.ofMillis(1),
-                new CpuStarvation(true, limit.minusNanos(1)).more(limit, limit));
+        var runs = new Look(true, LIMIT.minusNanos(1));
+        assertEquals(ms(1), new SpentTime(LIMIT).more(runs, LIMIT));
+    }
+
+    @Test
+    void sleepCountsAsTimeSpentFromOneLookToTheNext() {
+        var spent = new SpentTime(LIMIT);
+        assertEquals(ms(5), spent.more(new Look(false, ms(0)), ms(60)));
+        assertEquals(ms(5), spent.more(new Look(true, ms(20)), ms(300)));
+        assertEquals(ms(4), spent.more(new Look(false, ms(30)), ms(316)));
+        assertEquals(ms(0), spent.more(new Look(false, ms(30)), ms(320)));
+    }
+
+    @Test
+    void aLockHeldAtOneMomentOfABusyMachineDoesNotTakeAllTheTime() {
+        var spent = new SpentTime(LIMIT);
+        assertEquals(ms(5), spent.more(new Look(true, ms(10)), ms(1000)));
+        assertEquals(ms(5), spent.more(new Look(false, ms(10)), ms(1005)));
+        assertEquals(ms(5), spent.more(new Look(true, ms(20)), ms(2000)));
+    }
+
+    @Test
+    void whatEndsWhileItIsLookedAtHasReturned() {
+        var looked = new CountDownLatch(1);
+        var outcome =
+                Guard.call(
+                        "late",
+                        () -> {
+                            looked.await();
+                            return "ended";
+                        },
+                        ms(1),
+                        thread -> {
+                            looked.countDown();
+                            join(thread);
+                            return new Look(false, LIMIT);
+                        });
+        assertEquals(new Guard.Returned<>("ended"), outcome);
+    }
+
+    private static void join(Thread thread) {
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static Duration ms(long number) {
+        return Duration.ofMillis(number);
     }
 
     @Test
