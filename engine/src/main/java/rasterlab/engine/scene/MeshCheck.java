@@ -106,25 +106,36 @@ final class MeshCheck {
 
     /**
      * The sum of the fan's cross products, which is twice the polygon's vector area whatever corner
-     * the fan begins at, scaled to length 1.
+     * the fan begins at, scaled to length 1. Large faces are measured in a larger unit, a power of
+     * two, in which the square of an area stays finite.
      */
     private double[] normal(int face, int[] corners) {
-        double[] sum = vectorArea(corners);
+        double longest = longestDiagonal(corners);
+        double perUnit = Math.scalb(1.0, -Math.max(0, Math.getExponent(longest) / 2));
+        double[] sum = vectorArea(corners, perUnit);
         double length = Math.sqrt(dot(sum, sum));
-        if (!(length > TOLERANCE * longestDiagonal(corners)))
+        if (!(length > TOLERANCE * (longest * perUnit * perUnit)))
             throw new IllegalArgumentException(
                     "face %d: corners %s span no area".formatted(face, Arrays.toString(corners)));
         for (int i = 0; i < 3; i++) sum[i] /= length;
         return sum;
     }
 
-    private double[] vectorArea(int[] corners) {
+    private double[] vectorArea(int[] corners, double perUnit) {
         double[] sum = new double[3];
         for (int k = 1; k + 1 < corners.length; k++) {
-            double[] cross = cross(edge(corners[0], corners[k]), edge(corners[0], corners[k + 1]));
+            double[] cross =
+                    cross(
+                            scaled(edge(corners[0], corners[k]), perUnit),
+                            scaled(edge(corners[0], corners[k + 1]), perUnit));
             for (int i = 0; i < 3; i++) sum[i] += cross[i];
         }
         return sum;
+    }
+
+    private static double[] scaled(double[] edge, double perUnit) {
+        for (int i = 0; i < 3; i++) edge[i] *= perUnit;
+        return edge;
     }
 
     /** The square of the longest way from the first corner to another. */

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class MeshTest {
@@ -55,6 +56,11 @@ class MeshTest {
                 argumentSet(
                         "a face without area is accepted",
                         new double[] {0, 0, 0, 1, 1, 1, 3, 3, 3},
+                        triangle,
+                        "face 0: corners [0, 1, 2] span no area"),
+                argumentSet(
+                        "a narrow face is accepted where its area has no finite square",
+                        new double[] {0, 0, 0, 2, 0, 0, 0, 6.7e153, 0},
                         triangle,
                         "face 0: corners [0, 1, 2] span no area"),
                 argumentSet(
@@ -114,6 +120,13 @@ class MeshTest {
         assertEquals(0, mesh.normalX(0));
         assertEquals(0, mesh.normalY(0));
         assertEquals(1, mesh.normalZ(0));
+    }
+
+    @ParameterizedTest(name = "sides of {0} and {1}")
+    @CsvSource({"3, 5", "1e77, 2e77", "1e100, 1e92", "1.1e154, 1.1e154"})
+    void normalHasLengthOneHoweverLargeTheFaceIs(double width, double height) {
+        double[] xyz = {0, 0, 0, width, 0, 0, 0, height, 0};
+        assertEquals(1, new Mesh(xyz, new int[][] {{0, 1, 2}}).normalZ(0));
     }
 
     @Test
