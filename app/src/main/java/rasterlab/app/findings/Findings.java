@@ -8,6 +8,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -130,7 +131,6 @@ public final class Findings {
             Study study = StudyRunner.measure(topic, settings, step -> {}, stopped);
             if (!study.isTimed()) return TopicFinding.none(texts.text("notMeasured"));
             writeData(study);
-            if (stopped.getAsBoolean()) return TopicFinding.none(texts.text("cut"));
             HazardMatrix hazards = judged(topic);
             var words = new FoundWords(topic, study, hazards, language);
             writeTopic(topic, study, hazards, words);
@@ -138,6 +138,8 @@ public final class Findings {
             return study.isWhole()
                     ? new TopicFinding(true, true, first)
                     : new TopicFinding(false, true, first + " " + texts.text("cut"));
+        } catch (CancellationException stop) {
+            return TopicFinding.none(texts.text("cut"));
         } catch (RuntimeException | LinkageError e) {
             String reason = e.getMessage() == null ? e.toString() : e.getMessage();
             return TopicFinding.none(texts.text("failed", Complaints.translated(language, reason)));
@@ -146,7 +148,8 @@ public final class Findings {
 
     /** Tries the hazards, and writes the page with each verdict's picture and command. */
     private HazardMatrix judged(Topic<?, ?, ?> topic) {
-        HazardPage.HazardDocument page = HazardPage.of(topic, HazardTrial.WALL_LIMIT, language);
+        HazardPage.HazardDocument page =
+                HazardPage.of(topic, HazardTrial.WALL_LIMIT, language, stopped);
         WholeFile.write(
                 folder.resolve(hazardPage(topic)), page.html().getBytes(StandardCharsets.UTF_8));
         return page.matrix();

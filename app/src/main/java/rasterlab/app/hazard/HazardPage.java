@@ -11,6 +11,8 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import javax.imageio.ImageIO;
 import rasterlab.app.canvas.method.VerdictDetail;
@@ -39,6 +41,7 @@ public final class HazardPage<C, I, O> {
     private static final int FLAT = 4;
 
     private final Topic<C, I, O> topic;
+    private final BooleanSupplier cancelled;
     private final Texts texts;
     private final TopicNames called;
     private final StudyWords words;
@@ -49,8 +52,9 @@ public final class HazardPage<C, I, O> {
     /** The right answer to the hazard that is being written, once a cell has shown it. */
     private Optional<RightAnswer> right = Optional.empty();
 
-    private HazardPage(Topic<C, I, O> topic, Language language) {
+    private HazardPage(Topic<C, I, O> topic, Language language, BooleanSupplier cancelled) {
         this.topic = topic;
+        this.cancelled = cancelled;
         texts = Texts.of("hazard", language);
         called = TopicNames.in(language);
         words = new StudyWords(language);
@@ -70,12 +74,24 @@ public final class HazardPage<C, I, O> {
      * @param longest wall time that a method may take for one hazard
      */
     public static HazardDocument of(Topic<?, ?, ?> topic, Duration longest, Language language) {
-        return written(topic, longest, language);
+        return of(topic, longest, language, () -> false);
+    }
+
+    /**
+     * Tries every method on every hazard of the topic and writes what came of it.
+     *
+     * @param longest wall time that a method may take for one hazard
+     * @param cancelled asked before each right answer and each verdict
+     * @throws CancellationException when {@code cancelled} says so
+     */
+    public static HazardDocument of(
+            Topic<?, ?, ?> topic, Duration longest, Language language, BooleanSupplier cancelled) {
+        return written(topic, longest, language, cancelled);
     }
 
     private static <C, I, O> HazardDocument written(
-            Topic<C, I, O> topic, Duration longest, Language language) {
-        var page = new HazardPage<>(topic, language);
+            Topic<C, I, O> topic, Duration longest, Language language, BooleanSupplier cancelled) {
+        var page = new HazardPage<>(topic, language, cancelled);
         topic.hazards().forEach(hazard -> page.add(hazard, longest));
         HazardMatrix matrix = HazardMatrix.of(topic, page.verdicts);
         return new HazardDocument(page.html(matrix), matrix);
@@ -99,13 +115,20 @@ public final class HazardPage<C, I, O> {
         return HazardHtml.document(name, texts.language(), body.append(cells).toString());
     }
 
+    private void requireGoing() {
+        if (cancelled.getAsBoolean())
+            throw new CancellationException("hazards of '" + topic.name() + "' were cancelled");
+    }
+
     private void add(Hazard<I> hazard, Duration longest) {
+        requireGoing();
         Function<Method<C>, MethodAnswer<O>> trial =
                 HazardTrial.trying(topic, hazard.input(), longest);
         String title = called.hazard(topic, hazard);
         var below = new StringBuilder();
         right = Optional.empty();
         for (Method<C> method : topic.methods()) {
+            requireGoing();
             MethodAnswer<O> tried = trial.apply(method);
             Verdict.Kind recorded =
                     hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);

@@ -10,6 +10,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.DisplayName;
@@ -33,13 +35,17 @@ class FindingsTest {
     }
 
     private Findings findings(int rounds, boolean stopped, Language language) {
+        return findings(rounds, () -> stopped, language);
+    }
+
+    private Findings findings(int rounds, BooleanSupplier stopped, Language language) {
         var settings =
                 new StudySettings(
                         Duration.ZERO,
                         Duration.ofNanos(1),
                         rounds,
                         StudySettings.quick().wallLimit());
-        return new Findings(folder, settings, " --quick", language, said::add, () -> stopped);
+        return new Findings(folder, settings, " --quick", language, said::add, stopped);
     }
 
     /** The page without what keeps the words of its commands whole. */
@@ -102,6 +108,19 @@ class FindingsTest {
         assertEquals(List.of(), said, "a topic is said to be measured after the stop");
         assertTrue(page("index.html").contains("Не измерено"));
         assertFalse(Files.exists(folder.resolve("matrix.html")));
+    }
+
+    @Test
+    @DisplayName("all hazards are tried though the stop came before")
+    void stopAmongTheHazardsKeepsTheNumbersAndTriesNoMore() throws Exception {
+        Path numbers = folder.resolve("data/matrix.json");
+        var asked = new AtomicInteger();
+        BooleanSupplier third = () -> Files.exists(numbers) && asked.incrementAndGet() == 3;
+        assertFalse(findings(8, third, Language.ENGLISH).write(List.of(new MatrixTopic())));
+        assertEquals(3, asked.get());
+        assertTrue(Files.exists(folder.resolve("charts/matrix-front.svg")));
+        assertFalse(Files.exists(folder.resolve("hazards/matrix.html")));
+        assertTrue(page("index.html").contains("stopped before its end"));
     }
 
     @Test
