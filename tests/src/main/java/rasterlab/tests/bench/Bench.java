@@ -198,8 +198,11 @@ public final class Bench implements Callable<Integer> {
         if (!only.isEmpty() && List.of(PLAN, STUDY, WINDOW, GRADER).contains(group))
             throw wrong("only.group");
         List<String> works = works();
-        if (works.stream().noneMatch(work -> work.contains(only)))
-            throw wrong("only.none", only, String.join("; ", works));
+        if (works.stream().anyMatch(work -> work.contains(only))) return;
+        List<String> near = group.equals(SEARCH) ? SearchBench.worksOfTopicIn(only) : works;
+        throw near.isEmpty()
+                ? wrong("only.topics", only, String.join("; ", SearchBench.topics()))
+                : wrong("only.none", only, String.join("; ", near));
     }
 
     /**

@@ -64,7 +64,23 @@ final class SearchBench {
 
     /** The topic and method of all that is searched, each as {@code --only} is compared with. */
     static List<String> works() {
+        return works(topic -> true);
+    }
+
+    /** Those of the topic that a text begins with; none where it begins with no topic's name. */
+    static List<String> worksOfTopicIn(String text) {
+        String first = text.strip().split(" ")[0];
+        return works(topic -> topic.name().equals(first));
+    }
+
+    /** The names of the topics. */
+    static List<String> topics() {
+        return Topics.all().stream().<String>map(Topic::name).toList();
+    }
+
+    private static List<String> works(Predicate<Topic<?, ?, ?>> chosen) {
         return Topics.all().stream()
+                .filter(chosen)
                 .flatMap(
                         topic ->
                                 Stream.of(textbooks(topic), mutants(topic), right(topic))

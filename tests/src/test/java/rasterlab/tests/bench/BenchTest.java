@@ -1,6 +1,7 @@
 package rasterlab.tests.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -39,6 +40,17 @@ class BenchTest {
         for (Goal goal : RasterGoals.all())
             assertTrue(errorText().contains(goal.work()), errorText());
         assertTrue(errorText().matches("[^\\[\\]]*"), errorText());
+    }
+
+    @Test
+    void anUnknownMethodToSearchForIsAnsweredWithTheTopicsAndOneOfATopicWithItsMethods() {
+        assertEquals(2, run("search", "--only", "nosuch"));
+        assertTrue(errorText().contains("topics are line; circle; "), errorText());
+        assertTrue(errorText().length() < 1000, errorText().length() + " characters");
+        err.reset();
+        assertEquals(2, run("search", "--only", "circle nosuch"));
+        assertTrue(errorText().contains("circle midpoint"), errorText());
+        assertFalse(errorText().contains("line"), errorText());
     }
 
     @Test
