@@ -28,7 +28,8 @@ record Facet(
         for (int i = 0; i < face.length; i++) face[i] = i;
         try {
             var mesh = new Mesh(seen, new int[][] {face});
-            var plane = EyePlane.through(seen, mesh.normalX(0), mesh.normalY(0), mesh.normalZ(0));
+            double[] normal = NarrowNormal.of(seen);
+            var plane = EyePlane.through(seen, normal[0], normal[1], normal[2]);
             double along =
                     mesh.normalX(0) * plane.nx()
                             + mesh.normalY(0) * plane.ny()
