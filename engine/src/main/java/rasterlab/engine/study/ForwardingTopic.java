@@ -129,6 +129,11 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     }
 
     @Override
+    public boolean isPromised(I input) {
+        return other.isPromised(input);
+    }
+
+    @Override
     public Optional<PointQuestion<I, O>> question() {
         return other.question();
     }

@@ -189,6 +189,14 @@ public interface Topic<C, I, O> {
         return 20_000;
     }
 
+    /**
+     * Whether the methods that promise to be right do so for an input: what {@code ./lab methods}
+     * says of each holds there.
+     */
+    default boolean isPromised(I input) {
+        return true;
+    }
+
     /** The question that the topic's answers are signs of, if they are such. */
     default Optional<PointQuestion<I, O>> question() {
         return Optional.empty();

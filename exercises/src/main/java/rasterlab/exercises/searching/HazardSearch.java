@@ -56,6 +56,10 @@ public final class HazardSearch<C, I, O> {
     private final Topic<C, I, O> topic;
     private final Method<C> method;
     private final boolean mutant;
+
+    /** Whether only inputs count for which the topic's methods promise to be right. */
+    private final boolean promising;
+
     private final List<Method<C>> witnesses;
     private final SearchedInputs<C, I, O> inputs;
     private final int seed;
@@ -106,6 +110,7 @@ public final class HazardSearch<C, I, O> {
                         .filter(Method::promisesToBeRight)
                         .filter(each -> !each.name().equals(method.name()))
                         .toList();
+        promising = !mutant && method.promisesToBeRight();
         inputs = new SearchedInputs<>(topic, method.name(), method.implementation());
         random = new Random(seed);
         mutation = new TreeMutation(random);
@@ -211,6 +216,7 @@ public final class HazardSearch<C, I, O> {
         if (input.isEmpty()) return Optional.empty();
         tried++;
         long began = System.nanoTime();
+        if (promising && !topic.isPromised(input.get())) return Optional.empty();
         Optional<Verdict> verdict = verdict(input.get());
         if (System.nanoTime() - began > SLOW.toNanos()) forget();
         if (verdict.isEmpty() && late && limit == LIMIT && waiting.size() < MOST_WAITING)

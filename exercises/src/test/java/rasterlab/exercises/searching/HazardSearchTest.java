@@ -19,6 +19,7 @@ import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.ForwardingTopic;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
@@ -72,6 +73,28 @@ class HazardSearchTest {
         MethodsOnInput<?, ?, ?> again =
                 MethodsOnInput.of(topic, Phrase.of("break.input"), find.input());
         assertTrue(again.right().stream().noneMatch(MethodResult::failed), find.input());
+    }
+
+    @ParameterizedTest(name = "a promise to be right is held to where it was not made")
+    @ValueSource(booleans = {true, false})
+    void methodIsHeldToItsPromiseWhereItMadeIt(boolean promised) {
+        var line = new LineTopic();
+        var methods =
+                List.of(
+                        Method.right("broken", line.method("naive-textbook").implementation()),
+                        Method.right("witness", line.method("bresenham").implementation()));
+        var topic =
+                new ForwardingTopic<>(lineWith(methods)) {
+                    @Override
+                    public boolean isPromised(Segment input) {
+                        return promised;
+                    }
+                };
+        var inputs = new AtomicInteger();
+        Optional<Find> found =
+                HazardSearch.of(topic, "broken", 5, new Heard())
+                        .search(TIME, () -> inputs.incrementAndGet() > 150);
+        assertEquals(promised, found.isPresent());
     }
 
     @Test

@@ -121,6 +121,11 @@ public final class NormalsTopic implements Topic<VertexNormals, TriangleSurface,
     }
 
     @Override
+    public boolean isPromised(TriangleSurface surface) {
+        return OrdinarySurface.is(surface);
+    }
+
+    @Override
     public boolean correct(Deviation deviation) {
         return deviation.worst() <= CORRECT;
     }

@@ -3,6 +3,7 @@ package rasterlab.engine.visibility.hidden;
 import java.util.List;
 import java.util.Map;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
@@ -23,6 +24,9 @@ import rasterlab.engine.visibility.exact.ExactVisibility;
 public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView, FacePicture> {
     private static final double CORRECT = 0.05;
     private static final double USABLE = 1;
+
+    /** In lengths of ρ. */
+    private static final int FARTHEST = 1000;
 
     private final Visibilities visibilities = new Visibilities();
 
@@ -83,6 +87,23 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
     @Override
     public Deviation compare(SurfaceView input, FacePicture exact, FacePicture actual) {
         return exact.deviation(actual);
+    }
+
+    /**
+     * {@inheritDoc} Corners are turned and cut in doubles: one that is {@value #FARTHEST} times as
+     * far from the eye's centre of turn as the eye is off by so much that edges miss pixels.
+     */
+    @Override
+    public boolean isPromised(SurfaceView input) {
+        double farthest = FARTHEST * input.camera().rho();
+        Mesh mesh = input.mesh();
+        for (int f = 0; f < mesh.faceCount(); f++)
+            for (int k = 0; k < mesh.cornerCount(f); k++) {
+                int v = mesh.corner(f, k);
+                double most = Math.max(Math.abs(mesh.x(v)), Math.abs(mesh.y(v)));
+                if (Math.max(most, Math.abs(mesh.z(v))) > farthest) return false;
+            }
+        return true;
     }
 
     @Override

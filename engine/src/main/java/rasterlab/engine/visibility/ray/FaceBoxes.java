@@ -4,7 +4,7 @@ import rasterlab.engine.scene.Mesh;
 
 /** The box round each face in the world, a little wider than the face against rounding. */
 final class FaceBoxes {
-    /** How much wider, as a share of the mesh's largest coordinate. */
+    /** How much wider, as a share of the faces' largest coordinate. */
     private static final double MARGIN = 1e-9;
 
     private final double[] boxes;
@@ -28,9 +28,10 @@ final class FaceBoxes {
 
     private static double size(Mesh mesh) {
         double size = 0;
-        for (int v = 0; v < mesh.vertexCount(); v++)
-            for (int axis = 0; axis < 3; axis++)
-                size = Math.max(size, Math.abs(coordinate(mesh, v, axis)));
+        for (int f = 0; f < mesh.faceCount(); f++)
+            for (int k = 0; k < mesh.cornerCount(f); k++)
+                for (int axis = 0; axis < 3; axis++)
+                    size = Math.max(size, Math.abs(coordinate(mesh, mesh.corner(f, k), axis)));
         return size;
     }
 

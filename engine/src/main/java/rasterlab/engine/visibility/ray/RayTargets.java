@@ -8,7 +8,7 @@ import rasterlab.engine.visibility.OnePlane;
  * its edges and look inwards.
  */
 final class RayTargets {
-    /** How far outside an edge still counts as on it, as a share of the mesh's radius. */
+    /** How far outside an edge still counts as on it, as a share of the faces' radius. */
     private static final double ON_EDGE = 0x1p-46;
 
     private final double[] planes;
@@ -19,10 +19,7 @@ final class RayTargets {
         int faces = mesh.faceCount();
         planes = new double[4 * faces];
         walls = new double[faces][];
-        double farthest = 0;
-        for (int v = 0; v < mesh.vertexCount(); v++)
-            farthest = Math.max(farthest, length(mesh.x(v), mesh.y(v), mesh.z(v)));
-        radius = farthest;
+        radius = farthestCorner(mesh);
         for (int f = 0; f < faces; f++) {
             double nx = mesh.normalX(f);
             double ny = mesh.normalY(f);
@@ -32,6 +29,17 @@ final class RayTargets {
             System.arraycopy(new double[] {nx, ny, nz, c}, 0, planes, 4 * f, 4);
             walls[f] = walls(mesh, f);
         }
+    }
+
+    /** A vertex that belongs to no face is nowhere, however far off. */
+    private static double farthestCorner(Mesh mesh) {
+        double farthest = 0;
+        for (int f = 0; f < mesh.faceCount(); f++)
+            for (int k = 0; k < mesh.cornerCount(f); k++) {
+                int v = mesh.corner(f, k);
+                farthest = Math.max(farthest, length(mesh.x(v), mesh.y(v), mesh.z(v)));
+            }
+        return farthest;
     }
 
     /** Four numbers per edge: the inward unit normal and its offset, lowered by the tolerance. */
