@@ -197,13 +197,20 @@ private fun FlowContent.studentTable(
     fun said(vararg columns: String) = columns.map { texts.say("roster.column.$it") }
     val numbers = said("number", "attempts", "points").toSet()
     val columns = listOfNotNull("number", "student", "attempts", "points", "entry".takeIf { mayChange })
-    rows(said(*columns.toTypedArray()), numbers) {
+    val (attempts, earned) = said("attempts", "points")
+    rows(said(*columns.toTypedArray()), numbers, "enrolled") {
         students.forEach { student ->
             tr {
                 td("number") { +"${student.number}" }
                 td { a("/instructor/students/${student.id}") { +student.shownName } }
-                td("number") { +"${made[student.id] ?: 0}" }
-                td("number") { +(points[student.id]?.toString() ?: "–") }
+                td("number") {
+                    column(attempts)
+                    +"${made[student.id] ?: 0}"
+                }
+                td("number") {
+                    column(earned)
+                    +(points[student.id]?.toString() ?: "–")
+                }
                 if (mayChange) {
                     td { newTokenButton(texts, "/instructor/students/${student.id}/token", student.shownName) }
                 }
@@ -215,9 +222,10 @@ private fun FlowContent.studentTable(
 private fun FlowContent.rows(
     columns: List<String>,
     numbers: Set<String> = emptySet(),
+    kind: String = "",
     content: TBODY.() -> Unit,
 ) = div("scroll") {
-    table("students") {
+    table("students $kind".trim()) {
         thead {
             tr {
                 columns.forEach { column ->

@@ -8,17 +8,10 @@ import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.html.FlowContent
 import kotlinx.html.FormMethod
-import kotlinx.html.ThScope
 import kotlinx.html.a
 import kotlinx.html.button
 import kotlinx.html.form
 import kotlinx.html.p
-import kotlinx.html.table
-import kotlinx.html.tbody
-import kotlinx.html.td
-import kotlinx.html.th
-import kotlinx.html.thead
-import kotlinx.html.tr
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.worker.WorkerSeen
@@ -59,28 +52,17 @@ private fun FlowContent.workerTable(
     texts: PageTexts,
     all: List<WorkerSeen>,
 ) = scrolling(texts.say("worker.title")) {
-    table("students") {
-        thead {
-            tr {
-                listOf("name", "host", "kind", "isolation", "grading", "started", "state").forEach {
-                    th(scope = ThScope.col) { +texts.say("worker.column.$it") }
-                }
-            }
-        }
-        tbody {
-            all.forEach { one ->
-                tr {
-                    td { +one.worker.name }
-                    td { +one.worker.host }
-                    td { +texts.say(if (one.worker.serves) "worker.serves" else "worker.grades") }
-                    td { +one.worker.isolation.`in`(texts.language) }
-                    td { +texts.say("worker.load", "${one.grading}", "${one.worker.slots}") }
-                    td { moment(one.startedAt) }
-                    td { standing(texts, one) }
-                }
-            }
-        }
-    }
+    val columns =
+        listOf<Pair<String, FlowContent.(WorkerSeen) -> Unit>>(
+            "name" to { +it.worker.name },
+            "host" to { +it.worker.host },
+            "kind" to { +texts.say(if (it.worker.serves) "worker.serves" else "worker.grades") },
+            "isolation" to { +it.worker.isolation.`in`(texts.language) },
+            "grading" to { +texts.say("worker.load", "${it.grading}", "${it.worker.slots}") },
+            "started" to { moment(it.startedAt) },
+            "state" to { standing(texts, it) },
+        ).map { (name, content) -> texts.say("worker.column.$name") to content }
+    stacked(columns, all)
 }
 
 private fun FlowContent.standing(

@@ -84,7 +84,10 @@ class RosterPagesTest {
                 eventsToTheEnd(ada, id)
             }
             val listed = show(page)
-            val cells = Regex("""<td class="number">([^<]*)</td>""").findAll(listed).map { it.groupValues[1] }.toList()
+            val cells =
+                Regex(
+                    """<td class="number"[^>]*>([^<]*)</td>""",
+                ).findAll(listed).map { it.groupValues[1] }.toList()
             assertEquals(listOf("1", "2", "4", "2", "0", "–"), cells, listed)
             assertTrue(">Ada (2)<" in listed, listed)
             assertTrue(">Баллы</th>" in show("$page?lang=ru"))
