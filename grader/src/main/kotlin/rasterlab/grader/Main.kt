@@ -137,6 +137,7 @@ private fun programOf(words: CommandWords): CommandLine =
                 .addSubcommand(StaffAddCommand())
                 .addSubcommand(StaffTokenCommand())
                 .addSubcommand(StaffRenameCommand())
+                .addSubcommand(StaffCourseCommand())
                 .addSubcommand(StaffRevokeCommand())
                 .addSubcommand(ServerHelpCommand(words)),
         ).addSubcommand(regradeCommands(words))

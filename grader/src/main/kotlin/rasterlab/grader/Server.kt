@@ -43,12 +43,14 @@ import rasterlab.grader.complaint.ComplaintDesk
 import rasterlab.grader.complaint.complaints
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
+import rasterlab.grader.course.CourseGuard
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.RosterImport
 import rasterlab.grader.course.Staff
 import rasterlab.grader.course.byToken
 import rasterlab.grader.course.courses
+import rasterlab.grader.course.guardCourses
 import rasterlab.grader.course.joining
 import rasterlab.grader.course.roster
 import rasterlab.grader.course.staff
@@ -308,6 +310,7 @@ class Server(
         install(Authentication) { byToken(accounts) }
         install(RateLimit) { limitEntries(forwarding) }
         protect()
+        guardCourses(CourseGuard(accounts, database))
         guardExams(ExamGuard(accounts, sittings, submissions, chosen::closedTo))
         routing {
             monitoring(database, isolation, meters)

@@ -52,13 +52,19 @@ internal class MemberOptions {
     lateinit var id: String
 }
 
+/** A word for all courses, which is no code of one. */
+private const val ALL = "all"
+
 /** The lines are the same in every language, for programs. */
 private fun CommandSpec.print(made: NewToken) = commandLine().out.println("staff\t${made.id}\ntoken\t${made.token}")
 
 @Command(
     name = "list",
     mixinStandardHelpOptions = true,
-    description = ["Prints id, role, when last here, whether access was taken away, and name, a line for each."],
+    description = [
+        "Prints id, role, when last here, whether access was taken away, the code of the single course or all, and name,",
+        "a line for each.",
+    ],
 )
 internal class StaffListCommand : Callable<Int> {
     @Spec
@@ -72,7 +78,9 @@ internal class StaffListCommand : Callable<Int> {
             for (one in staff.all()) {
                 val access = if (one.revokedAt == null) "access" else "revoked"
                 val used = one.lastUsedAt?.text() ?: "never"
-                spec.commandLine().out.println("${one.id}\t${one.role.code}\t$used\t$access\t${one.name}".trim())
+                val course = one.course?.code ?: ALL
+                val told = listOf(one.id, one.role.code, used, access, course, one.name)
+                spec.commandLine().out.println(told.joinToString("\t").trim())
             }
             0
         }
@@ -101,9 +109,17 @@ internal class StaffAddCommand : Callable<Int> {
     )
     var role = StaffRole.ASSISTANT
 
+    @Option(
+        names = ["--course"],
+        paramLabel = "COURSE",
+        descriptionKey = "staff.only",
+        description = ["The id or code of the single course that they teach; without it they teach all."],
+    )
+    var course: String? = null
+
     override fun call(): Int =
         of.open { staff ->
-            spec.print(staff.add(Name.of(name), role, by = "command", key = null))
+            spec.print(staff.add(Name.of(name), role, by = "command", key = null, course))
             0
         }
 }
@@ -146,6 +162,34 @@ internal class StaffRenameCommand : Callable<Int> {
         member.of.open { staff ->
             val named = staff.rename(member.id, Name.of(name), by = "command")
             spec.commandLine().out.println("name\t${named.name}")
+            0
+        }
+}
+
+@Command(
+    name = "course",
+    mixinStandardHelpOptions = true,
+    description = ["Gives somebody a single course, or all. An instructor of all stays."],
+)
+internal class StaffCourseCommand : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
+    @Mixin
+    lateinit var member: MemberOptions
+
+    @Parameters(
+        index = "1",
+        paramLabel = "COURSE",
+        descriptionKey = "staff.course",
+        description = ["The course's id or code, or all."],
+    )
+    lateinit var course: String
+
+    override fun call(): Int =
+        member.of.open { staff ->
+            val given = staff.assign(member.id, course.takeIf { it != ALL }, by = "command")
+            spec.commandLine().out.println("course\t${given.course?.code ?: ALL}")
             0
         }
 }

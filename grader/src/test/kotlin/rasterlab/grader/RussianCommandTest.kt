@@ -235,7 +235,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "lang.*|java-images.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|public-address|oidc-.*|sign-in-.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|worker\\..*|process\\.name.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role)|lti\\..*|regrade\\.(id|of.*|submission|dry)",
+                    "lang.*|java-images.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|public-address|oidc-.*|sign-in-.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|worker\\..*|process\\.name.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role|only|course)|lti\\..*|regrade\\.(id|of.*|submission|dry)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

@@ -119,12 +119,12 @@ class Accounts(
         }
     }
 
-    /** A new token for the first instructor who has access, whose old one and sessions end; null where there is none. */
+    /** A new token for the first instructor of all courses who has access, whose old one and sessions end; null where there is none. */
     fun renewInstructor(): String? {
         val token = Secrets.newToken()
         return database.write { handle ->
             val first =
-                """SELECT id FROM instructors WHERE role = 'instructor' AND revoked_at IS NULL
+                """SELECT id FROM instructors WHERE role = 'instructor' AND revoked_at IS NULL AND course_id IS NULL
                    ORDER BY created_at LIMIT 1"""
             val id =
                 handle
@@ -240,8 +240,10 @@ class Accounts(
             .findOne()
             .or {
                 handle
-                    .createQuery("SELECT id, name, role FROM instructors WHERE $column = :value AND revoked_at IS NULL")
-                    .bind("value", value)
+                    .createQuery(
+                        """SELECT id, name, role, course_id FROM instructors
+                           WHERE $column = :value AND revoked_at IS NULL""",
+                    ).bind("value", value)
                     .map { row, _ -> staff(row) }
                     .findOne()
             }.getOrNull()
@@ -250,9 +252,11 @@ class Accounts(
         Identity.StudentIdentity(row.getString("id"), row.getString("name"), row.getString("course_id"))
 
     private fun staff(row: ResultSet): Identity =
-        when (StaffRole.of(row.getString("role"))) {
-            StaffRole.INSTRUCTOR -> Identity.Instructor(row.getString("id"), row.getString("name"))
-            StaffRole.ASSISTANT -> Identity.Assistant(row.getString("id"), row.getString("name"))
+        row.getString("course_id").let { course ->
+            when (StaffRole.of(row.getString("role"))) {
+                StaffRole.INSTRUCTOR -> Identity.Instructor(row.getString("id"), row.getString("name"), course)
+                StaffRole.ASSISTANT -> Identity.Assistant(row.getString("id"), row.getString("name"), course)
+            }
         }
 
     companion object {

@@ -67,6 +67,9 @@ class Courses(
 
     fun all(): List<Course> = database.read { rows(select(it, "")).list() }
 
+    /** Those that somebody teaches. */
+    fun of(who: Identity.StaffIdentity): List<Course> = all().filter { who.teaches(it.id) }
+
     /**
      * A new student of the course with this code.
      *
@@ -103,10 +106,7 @@ class Courses(
         }
 
     /** The course with that id or that code, or null. */
-    fun find(idOrCode: String): Course? =
-        database.read { handle ->
-            course(handle, "id", idOrCode) ?: course(handle, "code", idOrCode.trim().uppercase(Locale.ROOT))
-        }
+    fun find(idOrCode: String): Course? = database.read { find(it, idOrCode) }
 
     /** The course of a student, or null where there is no such student. */
     fun ofStudent(student: String): Course? =
@@ -144,6 +144,17 @@ class Courses(
             column: String,
             value: String,
         ): Course? = rows(select(handle, "WHERE $column = :value").bind("value", value)).findOne().getOrNull()
+
+        private fun find(
+            handle: Handle,
+            idOrCode: String,
+        ): Course? = course(handle, "id", idOrCode) ?: course(handle, "code", idOrCode.trim().uppercase(Locale.ROOT))
+
+        /** @throws Rejection.UnknownCourse where none has that id or code */
+        fun named(
+            handle: Handle,
+            idOrCode: String,
+        ): Course = find(handle, idOrCode) ?: throw Rejection.UnknownCourse(idOrCode)
 
         private fun select(
             handle: Handle,

@@ -13,17 +13,24 @@ sealed interface Identity {
     val name: String
 
     /** Who teaches, and sees the work of all students with what is hidden from these. */
-    sealed interface StaffIdentity : Identity
+    sealed interface StaffIdentity : Identity {
+        /** The id of the single course that they teach; null for all of the server. */
+        val onlyCourse: String?
+
+        fun teaches(course: String): Boolean = onlyCourse == null || onlyCourse == course
+    }
 
     data class Instructor(
         override val id: String,
         override val name: String = "",
+        override val onlyCourse: String? = null,
     ) : StaffIdentity
 
     /** Marks and comments; deletes nothing, takes no data away, and changes no rules, roster, staff or tokens. */
     data class Assistant(
         override val id: String,
         override val name: String,
+        override val onlyCourse: String? = null,
     ) : StaffIdentity
 
     data class StudentIdentity(

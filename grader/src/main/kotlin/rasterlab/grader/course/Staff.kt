@@ -37,6 +37,7 @@ enum class StaffRole(
  * One of the staff.
  *
  * @param name empty for the first instructor until somebody gives them one
+ * @param course the single one that they teach; null for all
  * @param lastUsedAt to a few minutes; null where nobody came in yet
  * @param revokedAt since when no token lets them in; null where one does
  */
@@ -44,12 +45,13 @@ data class StaffMember(
     val id: String,
     val name: String,
     val role: StaffRole,
+    val course: Course?,
     val madeAt: Instant,
     val lastUsedAt: Instant?,
     val revokedAt: Instant?,
 )
 
-/** Who teaches: instructors and assistants of the whole server, with a token each. */
+/** Who teaches: instructors and assistants of the whole server or of one course, with a token each. */
 class Staff(
     private val database: Database,
     private val clock: InstantSource,
@@ -59,8 +61,8 @@ class Staff(
         database.read { handle ->
             handle
                 .createQuery(
-                    """SELECT * FROM instructors
-                       ORDER BY CASE WHEN revoked_at IS NULL THEN 0 ELSE 1 END, role DESC, created_at, id""",
+                    """$SELECT
+                       ORDER BY CASE WHEN revoked_at IS NULL THEN 0 ELSE 1 END, role DESC, i.created_at, i.id""",
                 ).map { row, _ -> member(row) }
                 .list()
         }
@@ -72,29 +74,35 @@ class Staff(
      *
      * @param by who does it, for the audit
      * @param key what the sender calls this request, so that repeating it gives the same token
+     * @param course id or code of the single one that they teach; null for all
+     * @throws Rejection.UnknownCourse
      */
     fun add(
         name: Name,
         role: StaffRole,
         by: String,
         key: String?,
+        course: String? = null,
     ): NewToken =
         database.write { handle ->
-            val request = Repeatable("staff $by", key, "${name.text} ${role.code}")
+            val only = course?.let { Courses.named(handle, it) }
+            val asked = listOfNotNull(name.text, role.code, only?.id).joinToString(" ")
+            val request = Repeatable("staff $by", key, asked)
             val token = if (key == null) Secrets.newToken() else Secrets.derive(handle, "staff $by $key")
             request.made(handle)?.let { return@write NewToken(it, token) }
             val id = Secrets.newId()
             handle
                 .createUpdate(
-                    """INSERT INTO instructors (id, name, role, token_hash, created_at, announced_at)
-                       VALUES (:id, :name, :role, :hash, :now, :now)""",
+                    """INSERT INTO instructors (id, name, role, course_id, token_hash, created_at, announced_at)
+                       VALUES (:id, :name, :role, :course, :hash, :now, :now)""",
                 ).bind("id", id)
                 .bind("name", name.text)
                 .bind("role", role.code)
+                .bind("course", only?.id)
                 .bind("hash", Secrets.hash(token))
                 .bind("now", clock.instant().text())
                 .execute()
-            note(handle, by, "staff-add", id, role.code)
+            note(handle, by, "staff-add", id, listOfNotNull(role.code, only?.name).joinToString(", "))
             request.remember(handle, id, clock.instant())
             NewToken(id, token)
         }
@@ -140,7 +148,7 @@ class Staff(
         database.write { handle ->
             val found = find(handle, id)
             if (found.revokedAt != null) return@write found
-            if (found.role == StaffRole.INSTRUCTOR && instructors(handle) == 1) throw Rejection.LastInstructor()
+            requireAnother(handle, found)
             handle
                 .createUpdate("UPDATE instructors SET revoked_at = :now WHERE id = :id")
                 .bind("now", clock.instant().text())
@@ -174,6 +182,44 @@ class Staff(
             find(handle, id)
         }
 
+    /**
+     * Gives somebody a single course, or all.
+     *
+     * @param course its id or code; null for all
+     * @param by who does it, for the audit
+     * @throws Rejection.UnknownCourse
+     * @throws Rejection.LastInstructor where nobody could give access afterwards
+     */
+    fun assign(
+        id: String,
+        course: String?,
+        by: String,
+    ): StaffMember =
+        database.write { handle ->
+            val found = find(handle, id)
+            val only = course?.let { Courses.named(handle, it) }
+            if (found.course?.id == only?.id) return@write found
+            if (found.revokedAt == null) requireAnother(handle, found)
+            handle
+                .createUpdate("UPDATE instructors SET course_id = :course WHERE id = :id")
+                .bind("course", only?.id)
+                .bind("id", id)
+                .execute()
+            note(handle, by, "staff-course", id, "${told(found.course)} → ${told(only)}")
+            find(handle, id)
+        }
+
+    private fun told(course: Course?) = course?.name ?: "*"
+
+    /** Refuses to take from [found] what nobody else could give back. */
+    private fun requireAnother(
+        handle: Handle,
+        found: StaffMember,
+    ) {
+        val gives = found.role == StaffRole.INSTRUCTOR && found.course == null
+        if (gives && instructors(handle) == 1) throw Rejection.LastInstructor()
+    }
+
     private fun note(
         handle: Handle,
         by: String,
@@ -184,8 +230,10 @@ class Staff(
 
     private fun instructors(handle: Handle): Int =
         handle
-            .createQuery("SELECT count(*) FROM instructors WHERE role = 'instructor' AND revoked_at IS NULL")
-            .mapTo(Int::class.javaObjectType)
+            .createQuery(
+                """SELECT count(*) FROM instructors
+                   WHERE role = 'instructor' AND revoked_at IS NULL AND course_id IS NULL""",
+            ).mapTo(Int::class.javaObjectType)
             .one()
 
     private fun find(
@@ -193,7 +241,7 @@ class Staff(
         id: String,
     ): StaffMember =
         handle
-            .createQuery("SELECT * FROM instructors WHERE id = :id")
+            .createQuery("$SELECT WHERE i.id = :id")
             .bind("id", id)
             .map { row, _ -> member(row) }
             .findOne()
@@ -204,10 +252,17 @@ class Staff(
             row.getString("id"),
             row.getString("name"),
             StaffRole.of(row.getString("role")),
+            row.getString("course_id")?.let { Course(it, row.getString("course_name"), row.getString("course_code")) },
             Instant.parse(row.getString("created_at")),
             row.getString("last_used_at")?.let(Instant::parse),
             row.getString("revoked_at")?.let(Instant::parse),
         )
+
+    private companion object {
+        const val SELECT =
+            """SELECT i.*, courses.name AS course_name, courses.code AS course_code
+               FROM instructors AS i LEFT JOIN courses ON courses.id = i.course_id"""
+    }
 }
 
 /** @param token shown this once */

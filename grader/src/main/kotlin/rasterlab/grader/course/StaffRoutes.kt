@@ -8,6 +8,7 @@ import io.ktor.server.routing.patch
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
+import rasterlab.exercises.json.JsonFields
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
@@ -18,6 +19,7 @@ private data class StaffAnswer(
     val staff: String,
     val name: String,
     val role: String,
+    val course: String?,
     val madeAt: String,
     val lastUsedAt: String?,
     val revokedAt: String?,
@@ -48,6 +50,11 @@ private data class AuditEntryAnswer(
     val detail: String,
 )
 
+/** @param course id or code of a single one; null for all */
+private class Assigned(
+    val course: String?,
+)
+
 /** Serves who teaches, and what they changed, to instructors, inside `authenticate`. */
 fun Route.staff(
     staff: Staff,
@@ -59,8 +66,11 @@ fun Route.staff(
     }
     post("/staff") {
         val instructor = call.instructor()
-        val (name, role) = call.receiveJson("name", "role") { it.anyText("name") to it.anyText("role") }
-        val made = staff.add(Name.of(name), StaffRole.of(role), instructor.id, call.idempotencyKey())
+        val (name, role, course) =
+            call.receiveJson("name", "role", "course") {
+                Triple(it.anyText("name"), it.anyText("role"), it.courseOrAll())
+            }
+        val made = staff.add(Name.of(name), StaffRole.of(role), instructor.id, call.idempotencyKey(), course)
         call.respondJson(StaffTokenAnswer(made.id, made.token), Created)
     }
     post("/staff/{staff}/token") {
@@ -70,8 +80,15 @@ fun Route.staff(
     }
     patch("/staff/{staff}") {
         val instructor = call.instructor()
-        val name = Name.of(call.receiveJson("name") { it.anyText("name") })
-        call.respondJson(answer(staff.rename(call.parameters.getOrFail("staff"), name, instructor.id)))
+        val id = call.parameters.getOrFail("staff")
+        val (name, assigned) =
+            call.receiveJson("name", "course") {
+                (if (it.has("name")) Name.of(it.anyText("name")) else null) to
+                    (if (it.has("course")) Assigned(it.courseOrAll()) else null)
+            }
+        name?.let { staff.rename(id, it, instructor.id) }
+        assigned?.let { staff.assign(id, it.course, instructor.id) }
+        call.respondJson(answer(staff.find(id)))
     }
     delete("/staff/{staff}") {
         val instructor = call.instructor()
@@ -84,11 +101,15 @@ fun Route.staff(
     }
 }
 
+/** The id or code of a single course; null for all, which is also meant where nothing is said. */
+private fun JsonFields.courseOrAll(): String? = if (!has("course") || tree("course").isNull) null else anyText("course")
+
 private fun answer(one: StaffMember) =
     StaffAnswer(
         one.id,
         one.name,
         one.role.code,
+        one.course?.id,
         one.madeAt.text(),
         one.lastUsedAt?.text(),
         one.revokedAt?.text(),

@@ -16,5 +16,5 @@ fun ApplicationCall.viewedStudent(
 ): Identity.StudentIdentity? {
     if (who !is Identity.StaffIdentity) return null
     val student = request.cookies[VIEW_COOKIE, CookieEncoding.RAW] ?: return null
-    return accounts.withId(student) as? Identity.StudentIdentity
+    return (accounts.withId(student) as? Identity.StudentIdentity)?.takeIf { who.teaches(it.course) }
 }

@@ -82,7 +82,11 @@ class Hints(
         )
 
     /** The hints that were shown lately, the latest first. */
-    fun latest(): List<HintUse> = uses("ORDER BY taken_at DESC, step DESC LIMIT $LISTED", emptyMap())
+    fun latest(who: Identity.StaffIdentity): List<HintUse> {
+        val whose = if (who.onlyCourse == null) "" else "WHERE students.course_id = :course"
+        val course = listOfNotNull(who.onlyCourse).associateBy { "course" }
+        return uses("$whose ORDER BY taken_at DESC, step DESC LIMIT $LISTED", course)
+    }
 
     private fun insert(
         handle: Handle,

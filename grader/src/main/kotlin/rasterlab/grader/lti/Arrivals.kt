@@ -104,7 +104,9 @@ class Arrivals(
     ) {
         val who = bindings.staffOf(launch)?.let(::known) as? Identity.Instructor ?: throw LtiRefused(LtiFault.UNBOUND)
         val meant =
-            if (course.isEmpty()) {
+            if (who.onlyCourse != null) {
+                courses.find(course)?.takeIf { who.teaches(it.id) } ?: throw Rejection.UnknownCourse(course)
+            } else if (course.isEmpty()) {
                 courses.create(who.id, Name.of(name), key = null)
             } else {
                 courses.find(course) ?: throw Rejection.UnknownCourse(course)
@@ -122,7 +124,7 @@ class Arrivals(
         return when {
             course != null && launch.wish != null -> LaunchStep.WhichExercises(launch, course, launch.wish)
             course != null -> entered(launch, who, course)
-            who is Identity.Instructor -> LaunchStep.WhichCourse(launch, courses.all())
+            who is Identity.Instructor -> LaunchStep.WhichCourse(launch, courses.of(who))
             else -> throw LtiRefused(LtiFault.UNBOUND)
         }
     }

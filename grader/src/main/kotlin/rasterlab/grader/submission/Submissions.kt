@@ -42,13 +42,27 @@ class Submissions(
         id: String,
     ): Submission {
         val found = find(id)
-        if (found == null ||
-            (who is Identity.StudentIdentity && found.student != who.id)
-        ) {
-            throw Rejection.UnknownSubmission(id)
-        }
+        if (found == null || !isFor(who, found)) throw Rejection.UnknownSubmission(id)
         return found
     }
+
+    private fun isFor(
+        who: Identity,
+        found: Submission,
+    ): Boolean =
+        when (who) {
+            is Identity.StudentIdentity -> found.student == who.id
+            is Identity.StaffIdentity -> who.onlyCourse == null || courseOf(found.student) == who.onlyCourse
+        }
+
+    private fun courseOf(student: String): String =
+        database.read { handle ->
+            handle
+                .createQuery("SELECT course_id FROM students WHERE id = :student")
+                .bind("student", student)
+                .mapTo(String::class.java)
+                .one()
+        }
 
     /** 1 for the next one to be graded; 0 when it is not waiting. */
     fun position(id: String): Int = database.read { position(it, id) }
@@ -124,7 +138,9 @@ class Submissions(
     /** The one line about that submission, or null if there is none. */
     fun listed(id: String): Listed? = list("WHERE s.id = :id", mapOf("id" to id)).singleOrNull()
 
-    fun latest(): List<Listed> = list("", emptyMap())
+    fun latest(who: Identity.StaffIdentity): List<Listed> =
+        who.onlyCourse?.let { list("WHERE students.course_id = :course", mapOf("course" to it)) }
+            ?: list("", emptyMap())
 
     /** The latest of a student, of all exercises. */
     fun allOf(student: String): List<Listed> = list("WHERE s.student_id = :student", mapOf("student" to student))

@@ -38,6 +38,7 @@ import rasterlab.grader.hint.Hints
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.report.onEachChange
 import rasterlab.grader.report.respondEvents
+import rasterlab.grader.submission.Listed
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Submissions
 
@@ -56,12 +57,12 @@ fun Route.instructorPages(
     get("/instructor") {
         val who = call.staffHere(accounts)
         val waiting = Waiting(comments.openCounts(), complaints.openCounts())
-        call.respondDesk(who, courses, exercises, submissions, waiting, hints.latest(), isolation())
+        call.respondDesk(who, courses, exercises, submissions, waiting, hints.latest(who), isolation())
     }
     get("/instructor/latest") {
-        call.staffHere(accounts)
+        val who = call.staffHere(accounts)
         val texts = call.texts()
-        call.respondFragment(createHTML(prettyPrint = false).div { latest(texts, exercises, submissions) })
+        call.respondFragment(createHTML(prettyPrint = false).div { latest(texts, exercises, submissions.latest(who)) })
     }
     get("/instructor/events") {
         call.staffHere(accounts)
@@ -127,15 +128,16 @@ private suspend fun ApplicationCall.respondDesk(
     isolation: Isolation,
 ) {
     val texts = texts()
-    val students = courses.all().associateWith { courses.students(it.id).orEmpty() }
+    val students = courses.of(who).associateWith { courses.students(it.id).orEmpty() }
     val mayChange = who is Identity.Instructor
+    val leads = mayChange && who.onlyCourse == null
     respondPage(texts, who, texts.say(if (mayChange) "instructor.title" else "assistant.title")) {
         div("columns") {
             section("card") {
                 h2 { +texts.say("instructor.courses") }
-                courseList(texts, students, waiting, mayChange)
+                courseList(texts, students, waiting, mayChange, leads)
             }
-            if (mayChange) {
+            if (leads) {
                 creation(texts)
                 section("card") {
                     h2 { +texts.say("staff.title") }
@@ -150,7 +152,7 @@ private suspend fun ApplicationCall.respondDesk(
             section("card") {
                 h2 { +texts.say("instructor.isolation") }
                 p { +isolation.describe(texts.language) }
-                if (mayChange) p("ways") { a("/instructor/workers") { +texts.say("worker.open") } }
+                if (leads) p("ways") { a("/instructor/workers") { +texts.say("worker.open") } }
             }
         }
         h2 { +texts.say("instructor.latest") }
@@ -158,10 +160,12 @@ private suspend fun ApplicationCall.respondDesk(
             id = "live"
             attributes["data-events"] = "/instructor/events"
             attributes["data-fragment"] = "/instructor/latest"
-            latest(texts, exercises, submissions)
+            latest(texts, exercises, submissions.latest(who))
         }
-        h2 { +texts.say("similar.heading") }
-        similarLinks(texts, exercises)
+        if (who.onlyCourse == null) {
+            h2 { +texts.say("similar.heading") }
+            similarLinks(texts, exercises)
+        }
         h2 { +texts.say("instructor.hints") }
         if (hints.isEmpty()) p { +texts.say("instructor.hints.none") } else hintTable(texts, exercises, hints)
     }
@@ -183,13 +187,15 @@ private class Waiting(
 )
 
 /**
- * @param mayChange whether who looks may change courses, and not only see them
+ * @param mayChange whether who looks may change these courses, and not only see them
+ * @param leads whether they may make others, too
  */
 private fun FlowContent.courseList(
     texts: PageTexts,
     courses: Map<Course, List<Enrolled>>,
     waiting: Waiting,
     mayChange: Boolean,
+    leads: Boolean,
 ) {
     if (courses.isEmpty()) p { +texts.say(if (mayChange) "instructor.none" else "assistant.none") }
     ul("courses") {
@@ -211,7 +217,7 @@ private fun FlowContent.courseList(
                     }
                     a("/instructor/courses/${course.id}/exams") { +texts.say("exams.open") }
                     a("/instructor/courses/${course.id}/lti") { +texts.say("lti.open") }
-                    if (mayChange) a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }
+                    if (leads) a("/instructor/courses/${course.id}/clone") { +texts.say("instructor.clone") }
                 }
                 details {
                     summary { +texts.say("instructor.students", students.size) }
@@ -250,9 +256,8 @@ internal fun FlowContent.newTokenButton(
 private fun FlowContent.latest(
     texts: PageTexts,
     exercises: Exercises,
-    submissions: Submissions,
+    rows: List<Listed>,
 ) {
-    val rows = submissions.latest()
     if (rows.isEmpty()) p { +texts.say("instructor.latest.none") }
     if (rows.isNotEmpty()) classTable(texts, exercises, rows)
 }

@@ -58,7 +58,7 @@ fun Route.pages(
     rosterPages(accounts, courses, roster, submissions, marks)
     studentPages(accounts, exercises, submissions, records)
     clonePages(accounts, courses, clones)
-    staffPages(accounts, staff)
+    staffPages(accounts, staff, courses)
     auditPages(accounts, audit)
     workerPages(accounts, workers)
 }

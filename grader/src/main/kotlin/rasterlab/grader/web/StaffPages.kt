@@ -9,9 +9,10 @@ import io.ktor.server.routing.get
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.html.FlowContent
+import kotlinx.html.FlowOrPhrasingContent
 import kotlinx.html.FormMethod
 import kotlinx.html.InputType
-import kotlinx.html.ThScope
+import kotlinx.html.SELECT
 import kotlinx.html.a
 import kotlinx.html.button
 import kotlinx.html.details
@@ -26,13 +27,9 @@ import kotlinx.html.section
 import kotlinx.html.select
 import kotlinx.html.span
 import kotlinx.html.summary
-import kotlinx.html.table
-import kotlinx.html.tbody
-import kotlinx.html.td
-import kotlinx.html.th
-import kotlinx.html.thead
-import kotlinx.html.tr
 import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Course
+import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.course.Staff
@@ -45,17 +42,20 @@ private const val ADDRESS = "/instructor/staff"
 fun Route.staffPages(
     accounts: Accounts,
     staff: Staff,
+    courses: Courses,
 ) {
+    val desk = StaffDesk(staff, courses)
     get(ADDRESS) {
-        call.respondStaff(call.instructorHere(accounts), staff, typed = null, refused = null)
+        call.respondStaff(call.instructorHere(accounts), desk, typed = null, refused = null)
     }
     post(ADDRESS) {
         call.requireOwnForm()
         val who = call.instructorHere(accounts)
         val form = call.receiveForm()
-        call.showStaffAgain(who, staff, form)
+        call.showStaffAgain(who, desk, form)
         val name = Name.of(form["name"].orEmpty())
-        val made = staff.add(name, StaffRole.of(form["role"].orEmpty()), who.id, key = null)
+        val role = StaffRole.of(form["role"].orEmpty())
+        val made = staff.add(name, role, who.id, key = null, form.course())
         call.respondToken(who, name.text, made.token, ADDRESS, "staff.back")
     }
     post("$ADDRESS/{staff}/token") {
@@ -67,45 +67,61 @@ fun Route.staffPages(
     post("$ADDRESS/{staff}/name") {
         call.requireOwnForm()
         val who = call.instructorHere(accounts)
-        call.showStaffAgain(who, staff, typed = null)
+        call.showStaffAgain(who, desk, typed = null)
         val name = Name.of(call.receiveForm()["name"].orEmpty())
         staff.rename(call.parameters.getOrFail("staff"), name, who.id)
+        call.respondRedirect(ADDRESS)
+    }
+    post("$ADDRESS/{staff}/course") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        call.showStaffAgain(who, desk, typed = null)
+        staff.assign(call.parameters.getOrFail("staff"), call.receiveForm().course(), who.id)
         call.respondRedirect(ADDRESS)
     }
     post("$ADDRESS/{staff}/revoke") {
         call.requireOwnForm()
         val who = call.instructorHere(accounts)
-        call.showStaffAgain(who, staff, typed = null)
+        call.showStaffAgain(who, desk, typed = null)
         staff.revoke(call.parameters.getOrFail("staff"), who.id)
         call.respondRedirect(ADDRESS)
     }
 }
 
+private class StaffDesk(
+    val staff: Staff,
+    val courses: Courses,
+)
+
+/** The single course that was chosen; null for all. */
+private fun Parameters.course(): String? = get("course")?.takeIf { it.isNotEmpty() }
+
 /** Has the page shown again where what the call goes on to do is refused. */
 private fun ApplicationCall.showStaffAgain(
     who: Identity.Instructor,
-    staff: Staff,
+    desk: StaffDesk,
     typed: Parameters?,
 ) = attributes.put(
     FORM_AGAIN,
     FormAgain { status, code, added ->
-        respondStaff(who, staff, typed, Refused(status, code, added(texts().language)))
+        respondStaff(who, desk, typed, Refused(status, code, added(texts().language)))
     },
 )
 
 private suspend fun ApplicationCall.respondStaff(
     who: Identity.Instructor,
-    staff: Staff,
+    desk: StaffDesk,
     typed: Parameters?,
     refused: Refused?,
 ) {
     val texts = texts()
+    val courses = desk.courses.all()
     respondPage(texts, who, texts.say("staff.title"), refused?.status ?: HttpStatusCode.OK) {
         refused?.let { problem(texts, it.status, it.code, it.details) }
         p { a("/instructor") { +texts.say("token.back") } }
         p("plan") { +texts.say("staff.rights") }
-        memberTable(texts, who, staff.all())
-        section("card apart") { addition(texts, typed) }
+        memberTable(texts, who, desk.staff.all(), courses)
+        section("card apart") { addition(texts, typed, courses) }
         p { a("/instructor/audit") { +texts.say("audit.open") } }
     }
 }
@@ -114,31 +130,25 @@ private fun FlowContent.memberTable(
     texts: PageTexts,
     who: Identity.Instructor,
     members: List<StaffMember>,
+    courses: List<Course>,
 ) = scrolling(texts.say("staff.title")) {
-    table("students") {
-        thead {
-            tr {
-                listOf("name", "role", "made", "used", "entry").forEach {
-                    th(scope = ThScope.col) { +texts.say("staff.column.$it") }
-                }
-            }
-        }
-        tbody {
-            members.forEach { one ->
-                tr {
-                    td {
-                        val name = texts.nameOf(one)
-                        +if (one.id == who.id) texts.say("staff.you", name) else name
-                        naming(texts, one)
-                    }
-                    td { +texts.say("staff.role.${one.role.code}") }
-                    td { moment(one.madeAt) }
-                    td { one.lastUsedAt?.let { moment(it) } ?: +texts.say("staff.never") }
-                    td { access(texts, one) }
-                }
-            }
-        }
-    }
+    val columns =
+        listOf<Pair<String, FlowContent.(StaffMember) -> Unit>>(
+            "name" to { one ->
+                val name = texts.nameOf(one)
+                +if (one.id == who.id) texts.say("staff.you", name) else name
+                naming(texts, one)
+            },
+            "role" to { +texts.say("staff.role.${it.role.code}") },
+            "course" to { one ->
+                +(one.course?.name ?: texts.say("staff.course.all"))
+                assigning(texts, one, courses)
+            },
+            "made" to { moment(it.madeAt) },
+            "used" to { one -> one.lastUsedAt?.let { moment(it) } ?: +texts.say("staff.never") },
+            "entry" to { access(texts, it) },
+        ).map { (name, content) -> texts.say("staff.column.$name") to content }
+    stacked(columns, members)
 }
 
 private fun FlowContent.naming(
@@ -158,6 +168,48 @@ private fun FlowContent.naming(
                 attributes["aria-label"] = "${texts.say("staff.name")}: ${texts.nameOf(one)}"
             }
             button(classes = "plain") { +texts.say("staff.rename.do") }
+        }
+    }
+}
+
+private fun FlowContent.assigning(
+    texts: PageTexts,
+    one: StaffMember,
+    courses: List<Course>,
+) = details {
+    summary {
+        attributes["aria-label"] = "${texts.say("staff.assign")}: ${texts.nameOf(one)}"
+        +texts.say("staff.assign")
+    }
+    form("$ADDRESS/${one.id}/course", method = FormMethod.post) {
+        div("ways") {
+            courseChoice(texts, courses, one.course?.id) {
+                attributes["aria-label"] = "${texts.say("staff.column.course")}: ${texts.nameOf(one)}"
+            }
+            button(classes = "plain") { +texts.say("staff.assign.do") }
+        }
+    }
+}
+
+/** @param chosen id of the single course; null for all */
+private fun FlowOrPhrasingContent.courseChoice(
+    texts: PageTexts,
+    courses: List<Course>,
+    chosen: String?,
+    named: SELECT.() -> Unit = {},
+) = select {
+    name = "course"
+    named()
+    option {
+        value = ""
+        selected = chosen == null
+        +texts.say("staff.course.all")
+    }
+    courses.forEach { course ->
+        option {
+            value = course.id
+            selected = course.id == chosen
+            +"${course.name} (${course.code})"
         }
     }
 }
@@ -184,6 +236,7 @@ private fun FlowContent.access(
 private fun FlowContent.addition(
     texts: PageTexts,
     typed: Parameters?,
+    courses: List<Course>,
 ) {
     h2 { +texts.say("staff.add") }
     form(ADDRESS, method = FormMethod.post) {
@@ -207,6 +260,10 @@ private fun FlowContent.addition(
                     }
                 }
             }
+        }
+        label {
+            span { +texts.say("staff.column.course") }
+            courseChoice(texts, courses, typed?.course())
         }
         button { +texts.say("staff.add.do") }
     }

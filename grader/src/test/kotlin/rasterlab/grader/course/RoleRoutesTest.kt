@@ -28,6 +28,7 @@ import rasterlab.grader.Visit
 import rasterlab.grader.bearer
 import rasterlab.grader.cookieOf
 import rasterlab.grader.json
+import rasterlab.grader.one
 import rasterlab.grader.text
 import java.nio.file.Path
 import java.time.InstantSource
@@ -93,6 +94,30 @@ class RoleRoutesTest {
                     line(row, statuses)
                 }
             assertEquals(rows.joinToString("\n") { line(it, it.statuses) }, found.joinToString("\n"))
+        }
+
+    @Test
+    @DisplayName("staff of another course are answered what belongs to this one, or to the whole server")
+    fun othersCoursesAreClosed() =
+        Classroom(folder, settings = ServerSettings(entriesPerMinute = 100_000)).open {
+            val place = place()
+            newCourse()
+            val other = one("SELECT id FROM courses WHERE id <> '${place.ids["course"]}'")
+            val staff = Staff(database, InstantSource.system())
+            for (role in StaffRole.entries) {
+                val token = staff.add(Name.of("Alan"), role, by = "test", key = null, other).token
+                val answered =
+                    rows().filter { row ->
+                        val status = status(row, place, token)
+                        if (row.path == "/sign-out") place.cookies.clear()
+                        status !in setOf(403, 404)
+                    }
+                assertEquals(
+                    emptyList<String>(),
+                    answered.map { "${it.method} ${it.path}" }.filterNot { OF_NO_COURSE.matches(it) },
+                )
+                assertEquals(emptySet<String>(), OWN - answered.map { it.path }.toSet())
+            }
         }
 
     private fun line(
@@ -237,6 +262,17 @@ class RoleRoutesTest {
     private companion object {
         const val ROLES = 5
         const val UNENDING = "/instructor/events"
+
+        /** What shows each of the staff what is theirs. */
+        val OWN = setOf("/instructor", "/instructor/latest", UNENDING, "/exercises", "/api/v1/exercises")
+
+        /** What is for everybody, or shows each what is theirs. */
+        val OF_NO_COURSE =
+            Regex(
+                """[A-Z]+ (/|/(sign|lti)[-/].*|/join|/api/v1/join|/assets/.*|/(healthz|readyz|metrics|openapi.json)""" +
+                    """|(/api/v1)?/exercises|(/api/v1)?/exercises/.exercise.(/(starter|statement|pictures/.name.))?""" +
+                    """|/instructor(/(latest|events|view/end))?)""",
+            )
 
         /** Each heading has a server of its own. */
         @JvmStatic

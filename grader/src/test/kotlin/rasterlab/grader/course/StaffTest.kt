@@ -189,7 +189,7 @@ class StaffTest {
             val first = listed()[0].field("staff")
             val last = take("$page/$first/revoke", "")
             assertTrue(
-                last.status.value == 409 && "only instructor who has access" in last.bodyAsText(),
+                last.status.value == 409 && "only instructor of all courses" in last.bodyAsText(),
                 last.bodyAsText(),
             )
             val id = listed()[1].field("staff")
@@ -234,15 +234,66 @@ class StaffTest {
             val (id, token) = Regex("staff\t(.*)\ntoken\t(.*)\n").matchEntire(added)!!.destructured
             assertEquals(200, look(token, "/api/v1/staff").status.value)
             assertTrue(
-                Regex("$id\tinstructor\t20\\S+Z\taccess\tAlan Turing").containsMatchIn(command("list")),
+                Regex("$id\tinstructor\t20\\S+Z\taccess\tall\tAlan Turing").containsMatchIn(command("list")),
                 command("list"),
             )
             assertEquals("revoked\t$id\n", command("revoke", id))
             look(token, "/api/v1/staff").assertProblem(401, "not-signed-in")
-            assertTrue("\trevoked\tAlan Turing" in command("list"))
+            assertTrue("\trevoked\tall\tAlan Turing" in command("list"))
             assertTrue("token\t" in command("token", id))
             assertTrue("нет; кто есть" in command("token", "none", "--lang", "ru", exit = 2))
             assertTrue("command" in look(instructor, "/api/v1/audit").json().list("entries").map { it.field("by") })
+        }
+
+    @Test
+    @DisplayName("staff of one course miss it, see another, keep what was changed, or count as staff of all")
+    fun oneCourseIsGiven() =
+        Classroom(folder).open(grades = false) {
+            val code = newCourse()
+            val own = courseId()
+            val eve = newStudent(newCourse())
+            val student = one("SELECT id FROM students")
+            val other = one("SELECT course_id FROM students")
+            val theirs = submit(eve).json().text("id")
+            staffOf("none").assertProblem(404, "unknown-course")
+            val added = staffOf(code).json()
+            val (id, token) = added.text("staff") to added.text("token")
+            assertEquals(own, listed().single { it.field("staff") == id }.field("course"))
+            val students = { course: String -> "/api/v1/courses/$course/students" }
+            assertEquals(200, look(token, students(own)).status.value)
+            look(token, students(other)).assertProblem(404, "unknown-course")
+            val desk = show("/instructor", token)
+            for ((word, isThere) in listOf(
+                own to true,
+                other to false,
+                theirs to false,
+                "/instructor/staff" to false,
+            )) {
+                assertEquals(isThere, word in desk, "$word in $desk")
+            }
+            assertFalse(theirs in show("/instructor/latest", token))
+            val viewing = "${cookieOf(token)}; $VIEW_COOKIE=$student"
+            val page = client.get("/exercises") { header(HttpHeaders.Cookie, viewing) }.bodyAsText()
+            assertFalse("Ada" in page, "the view of a student of another course: $page")
+            val mine = submit(newStudent(code)).json().text("id")
+            val beside = "/submissions/$mine/compare?first=$theirs&second="
+            assertTrue("\"$theirs\"" !in show(beside + theirs, token), "read beside one of their own")
+            val first = listed().first { it.field("staff") != id }.field("staff")
+            change(first, """{"course":"$code"}""").assertProblem(409, "last-instructor")
+            client.delete("/api/v1/staff/$first") { bearer(instructor) }.assertProblem(409, "last-instructor")
+            assertEquals("course\tall\n", command("course", id, "all"))
+            assertEquals(200, look(token, students(other)).status.value)
+            assertTrue(theirs in show("/instructor", token))
+            assertEquals(302, sendForm("/instructor/staff/$id/course", "course=$own").status.value)
+            look(token, students(other)).assertProblem(404, "unknown-course")
+            assertEquals("null", change(id, """{"course":null,"name":"Al"}""").json().field("course"))
+            assertEquals("3", one("SELECT count(*) FROM audit WHERE action = 'staff-course'"))
+        }
+
+    private suspend fun Visit.staffOf(course: String) =
+        client.post("/api/v1/staff") {
+            bearer(instructor)
+            json("""{"name":"Alan","role":"instructor","course":"$course"}""")
         }
 
     private fun nameAndRole(one: kotlinx.serialization.json.JsonElement) = one.field("name") to one.field("role")
@@ -266,9 +317,14 @@ class StaffTest {
     private suspend fun Visit.rename(
         id: String,
         name: String,
+    ) = change(id, """{"name":"$name"}""")
+
+    private suspend fun Visit.change(
+        id: String,
+        changes: String,
     ) = client.patch("/api/v1/staff/$id") {
         bearer(instructor)
-        json("""{"name":"$name"}""")
+        json(changes)
     }
 
     private suspend fun Visit.listed(): JsonArray =
