@@ -150,8 +150,33 @@ class WorkBillTest {
             boolean english = language == Language.ENGLISH;
             assertEquals(english ? "all" : "всего", table.getValueAt(last, 0));
             assertEquals(english ? "100 %" : "100\u00a0%", table.getValueAt(last, 4));
-            assertEquals(english ? "pixels cleared" : "очищенные пиксели", cell(table, -1, 0));
+            assertEquals(english ? "cleared" : "очистка", cell(table, -1, 0));
             assertEquals(english ? "2,700" : "2\u00a0700", cell(table, -1, 1));
+        }
+    }
+
+    @Test
+    @DisplayName("a count of six digits ends in dots")
+    void numbersAreNeverCut() {
+        model.resize(1000, 800);
+        model.choose(choice -> choice.withScene("cube").withVisibility("zfloat"));
+        thread.settle(model::settle);
+        for (Language language : Language.values()) {
+            var table = new BillTable(language);
+            table.setFont(table.getFont().deriveFont(17f));
+            table.show(model.bills().counted());
+            table.setSize(460, table.getPreferredSize().height);
+            table.doLayout();
+            for (int row = 0; row < table.getRowCount(); row++)
+                for (int column = 1; column < table.getColumnCount(); column++) {
+                    int needed =
+                            table.prepareRenderer(table.getCellRenderer(row, column), row, column)
+                                    .getPreferredSize()
+                                    .width;
+                    int given = table.getCellRect(row, column, false).width;
+                    assertTrue(needed <= given, table.getValueAt(row, column) + ": " + given);
+                }
+            assertTrue(table.getColumnModel().getColumn(0).getWidth() >= 60, "no stage is named");
         }
     }
 

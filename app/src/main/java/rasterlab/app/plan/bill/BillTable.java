@@ -15,6 +15,8 @@ import javax.swing.border.Border;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.JTableHeader;
+import javax.swing.table.TableCellRenderer;
+import javax.swing.table.TableColumn;
 import javax.swing.table.TableColumnModel;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Language;
@@ -30,7 +32,9 @@ public final class BillTable extends JTable {
             List.of("stage", "counted", "estimated", "milliseconds", "share", "plan");
     private static final int NARROW = 100;
     private static final int LONG = 1_000_000;
-    private static final int[] WIDTHS = {72, 60, 64, 38, 44, 60};
+
+    /** More than the column of stages ever gets: it takes what the numbers leave. */
+    private static final int STAGES = 300;
 
     private final transient Texts texts;
     private transient Optional<PictureBill> bill = Optional.empty();
@@ -47,8 +51,42 @@ public final class BillTable extends JTable {
         setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         setDefaultRenderer(Object.class, new Cells());
         getTableHeader().setReorderingAllowed(false);
-        for (int i = 0; i < WIDTHS.length; i++)
-            getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(WIDTHS[i]));
+        fit();
+    }
+
+    /** Gives each column of numbers the width of its longest, so that none is cut. */
+    private void fit() {
+        getColumnModel().getColumn(0).setPreferredWidth(UIScale.scale(STAGES));
+        for (int column = 1; column < COLUMNS.size(); column++) {
+            TableColumn shown = getColumnModel().getColumn(column);
+            TableCellRenderer head = getTableHeader().getDefaultRenderer();
+            Object name = shown.getHeaderValue();
+            int width = width(head, name, -1, column);
+            for (int row = 0; row < getRowCount(); row++)
+                width =
+                        Math.max(
+                                width,
+                                width(
+                                        getCellRenderer(row, column),
+                                        getValueAt(row, column),
+                                        row,
+                                        column));
+            shown.setMinWidth(width);
+            shown.setPreferredWidth(width);
+        }
+    }
+
+    private int width(TableCellRenderer renderer, Object value, int row, int column) {
+        Component drawn =
+                renderer.getTableCellRendererComponent(this, value, false, false, row, column);
+        return drawn.getPreferredSize().width + getIntercellSpacing().width;
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        // The constructor of the table asks for a look before there are columns.
+        if (rows != null) fit();
     }
 
     /** Asks for little width, so that the column beside the stage is not widened. */
@@ -69,6 +107,7 @@ public final class BillTable extends JTable {
             bill = bills.bill();
             rows = bill.map(PictureBill::rows).orElse(List.of());
             ((AbstractTableModel) getModel()).fireTableDataChanged();
+            fit();
             revalidate();
         }
         repaint();
@@ -80,7 +119,7 @@ public final class BillTable extends JTable {
 
     private String text(PictureBill.BillRow row, int column) {
         return switch (column) {
-            case 0 -> texts.text("stage." + row.stage());
+            case 0 -> texts.text("table.stage." + row.stage());
             case 1 -> brief(row.counted());
             case 2 -> brief(row.estimated());
             case 3 -> row.measured().map(this::time).orElse("–");
@@ -127,7 +166,8 @@ public final class BillTable extends JTable {
 
     /** Says what a column means; of the first one, the stage's whole name. */
     private String hint(int row, int column) {
-        if (column == 0) return text(row, 0);
+        if (column == 0)
+            return row < rows.size() ? texts.text("stage." + rows.get(row).stage()) : text(row, 0);
         if (column == 3) return measured(row);
         if (row == rows.size() || column == 4) return meaning(column);
         PictureBill.BillRow stage = rows.get(row);
