@@ -5,7 +5,9 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.net.CookieManager;
 import java.net.URI;
+import java.net.URLEncoder;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpRequest.BodyPublishers;
@@ -28,13 +30,17 @@ final class BenchServer implements AutoCloseable {
     private static final String TOKEN = "instructor token: ";
     private static final Duration LIMIT = Duration.ofMinutes(5);
     private static final int STOP_SECONDS = 60;
+    private static final int FOUND = 302;
     private static final ObjectMapper JSON = new ObjectMapper();
 
     private final Path data;
     private final Process process;
     private final HttpClient http = HttpClient.newHttpClient();
+    private final HttpClient browser =
+            HttpClient.newBuilder().cookieHandler(new CookieManager()).build();
     private final URI address;
     private final String instructor;
+    private final String course;
     private final String code;
 
     private BenchServer(Path data, Process process, URI address, String instructor)
@@ -44,7 +50,26 @@ final class BenchServer implements AutoCloseable {
         this.address = address;
         this.instructor = instructor;
         var made = send(json("/api/v1/courses", instructor, "{\"name\":\"Bench\"}"));
+        this.course = JSON.readTree(made.body()).path("id").asText();
         this.code = JSON.readTree(made.body()).path("code").asText();
+        signIn();
+    }
+
+    private void signIn() throws IOException, InterruptedException {
+        String token = URLEncoder.encode(instructor, StandardCharsets.UTF_8);
+        HttpRequest form =
+                request("/sign-in", "")
+                        .header("Content-Type", "application/x-www-form-urlencoded")
+                        .header("Origin", address.resolve("/").toString().replaceAll("/$", ""))
+                        .POST(BodyPublishers.ofString("token=" + token))
+                        .build();
+        int status = browser.send(form, BodyHandlers.discarding()).statusCode();
+        if (status != FOUND) throw new IOException("signing in was answered with " + status);
+    }
+
+    /** The pages that are read while students submit. */
+    List<String> pages() {
+        return List.of("/instructor", "/instructor/courses/" + course + "/students");
     }
 
     /**
@@ -62,6 +87,7 @@ final class BenchServer implements AutoCloseable {
         command.addAll(List.of("--submissions-per-minute", "100000", "--waiting", "100000"));
         Process process =
                 new ProcessBuilder(command).redirectError(data.resolve("errors").toFile()).start();
+        Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
         var lines =
                 new BufferedReader(
                         new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
@@ -106,10 +132,16 @@ final class BenchServer implements AutoCloseable {
         return JSON.readTree(send(request("/api/v1/submissions/" + id, student)).body());
     }
 
-    /** The nanoseconds until a page has come whole. */
+    /**
+     * The nanoseconds until a page has come whole.
+     *
+     * @throws IOException when it is no page
+     */
     long page(String path) throws IOException, InterruptedException {
         long start = System.nanoTime();
-        send(request(path, instructor));
+        int status =
+                browser.send(request(path, "").build(), BodyHandlers.ofString()).statusCode();
+        if (status != 200) throw new IOException(path + " was answered with " + status);
         return System.nanoTime() - start;
     }
 
