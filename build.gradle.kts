@@ -45,7 +45,7 @@ subprojects {
         // A test that hangs fails with the stacks of all threads; one that cannot be interrupted ends its module.
         systemProperty("junit.jupiter.execution.timeout.default", "10 m")
         systemProperty("junit.jupiter.execution.timeout.threaddump.enabled", "true")
-        timeout = java.time.Duration.ofSeconds(1500)
+        timeout = java.time.Duration.ofSeconds(3600)
         // One thread is enough to collect what tests leave.
         jvmArgs("-XX:+UseSerialGC")
     }

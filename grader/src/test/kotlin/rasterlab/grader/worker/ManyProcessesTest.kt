@@ -12,7 +12,8 @@ import kotlin.random.Random
 
 /**
  * Two servers and three workers on one database. They, the processes that run sources and the database are killed at
- * random and started again. More than the build tries: -Drasterlab.kills=200 -Drasterlab.students=3.
+ * random and started again. More than the build tries, for which the limits of time have to go: -Drasterlab.kills=200
+ * -Drasterlab.students=3 -Djunit.jupiter.execution.timeout.mode=disabled -Dsurefire.timeout=0.
  */
 @OnPostgres
 @Tag("slow")

@@ -12,6 +12,7 @@ import rasterlab.grader.submission.SteadyClock
 import java.nio.file.Path
 import java.time.InstantSource
 import java.util.concurrent.TimeUnit.MINUTES
+import java.util.concurrent.locks.LockSupport
 import kotlin.io.path.readText
 
 /** A course in a database of its own, whose students hand in a starter; processes that the test starts grade it. */
@@ -68,7 +69,7 @@ class SharedCourse(
         val end = System.nanoTime() + MINUTES.toNanos(PATIENCE_MINUTES)
         while (!holds()) {
             check(System.nanoTime() < end) { "$what, but there are ${rows(STANDS)}" }
-            Thread.onSpinWait()
+            LockSupport.parkNanos(LOOK_NANOS)
         }
     }
 
@@ -109,6 +110,10 @@ class SharedCourse(
         /** All processes of the tests share the images of Java, as each takes seconds to make. */
         val IMAGES = arrayOf("--java-images", "${Path.of("target", "java-images").toAbsolutePath()}")
         const val PATIENCE_MINUTES = 4L
+
+        /** Between two looks, so that what is waited for has the processor. */
+        const val LOOK_NANOS = 20_000_000L
+
         const val RESULTS_OF_EACH =
             """SELECT DISTINCT count(r.id) FROM submissions s LEFT JOIN results r ON r.submission_id = s.id
                GROUP BY s.id"""
