@@ -24,6 +24,7 @@ dependencies {
     implementation(libs.ktor.server.rate.limit)
     implementation(libs.ktor.server.sse)
     implementation(libs.ktor.server.status.pages)
+    runtimeOnly(libs.codemirror)
     implementation(libs.commonmark)
     implementation(libs.commonmark.ext.gfm.tables)
     implementation(libs.flyway.core)

@@ -7,6 +7,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.QueuePlace
 import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submission
 import kotlin.jvm.optionals.getOrNull
@@ -43,7 +44,7 @@ class CopiedResults(
         val against = GradedAgainst(revision, exercises.isCurrent(copy.exercise, revision))
         val due = Due(at = null, late = false, passed = false, opensLater = false)
         val running = live.casesOf(copy.id)
-        return copy.view(STAFF, 0, running, recorded, against, due, words, emptyList()) {
+        return copy.view(STAFF, QueuePlace.NONE, running, recorded, against, due, words, emptyList()) {
             exercise?.let { known -> PublishedSpeed.of(known.topic(), it) }
         }
     }

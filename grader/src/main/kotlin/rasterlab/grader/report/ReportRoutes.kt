@@ -70,7 +70,7 @@ class Results(
                 rule = { case -> exercise?.let { CaseRules.of(it, case.name()).getOrNull() } },
             )
         val manual = adjustments.counting(id)
-        return submission.view(who, submissions.position(id), live.casesOf(id), recorded, against, due, words, manual) {
+        return submission.view(who, submissions.place(id), live.casesOf(id), recorded, against, due, words, manual) {
             exercise?.let { known -> PublishedSpeed.of(known.topic(), it) }
         }
     }

@@ -25,6 +25,7 @@ import rasterlab.exercises.topic.CaseRules.CaseRule
 import rasterlab.grader.course.Identity
 import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.text
+import rasterlab.grader.submission.QueuePlace
 import rasterlab.grader.submission.Recorded
 import rasterlab.grader.submission.State
 import rasterlab.grader.submission.Submission
@@ -34,6 +35,7 @@ import kotlin.jvm.optionals.getOrNull
 /**
  * @param revision of the exercise that it was or will be graded against
  * @param current whether that is the exercise as it is now
+ * @param waitSeconds until it is graded, as estimated; null when it does not wait, or nothing is known
  * @param late whether it was handed in after the deadline
  * @param penalty percent of its points that it loses for that
  * @param opened whether nobody in the course can hand in for points any more, so that hidden cases answer in full
@@ -48,6 +50,7 @@ data class SubmissionView(
     val attempt: Int,
     val state: String,
     val position: Int,
+    val waitSeconds: Int?,
     val verdict: String?,
     @Serializable(with = PointsAsPublished::class) val points: PublishedPoints?,
     val cases: List<
@@ -163,7 +166,7 @@ fun CaseReport.seenBy(
  */
 fun Submission.view(
     who: Identity,
-    position: Int,
+    place: QueuePlace,
     running: List<CaseReport>,
     recorded: Recorded?,
     against: GradedAgainst,
@@ -182,7 +185,8 @@ fun Submission.view(
         against.current,
         attempt,
         (if (report == null) state else State.DONE).code,
-        if (report == null) position else 0,
+        if (report == null) place.position else 0,
+        if (report == null) place.waitSeconds else null,
         report?.verdict()?.code(),
         report?.points()?.let { PublishedPoints.of(it, hintCost, penalty, manual) },
         cases.map { it.view(id, words) },

@@ -157,8 +157,9 @@ class Intake(
                 """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state, round,
                        begins_turns, hint_cost, due_at, penalty_agreed, penalty)
                    SELECT :id, :student, :exercise, :revision, attempt, :source, :seed, :now, 'queued', turn.round,
-                       CASE WHEN EXISTS (SELECT 1 FROM submissions AS before
-                           WHERE before.student_id = :student AND before.round = turn.round - 1) THEN 0 ELSE 1 END,
+                       CASE WHEN EXISTS (SELECT 1 FROM submissions WHERE state IN ('queued', 'running'))
+                           AND EXISTS (SELECT 1 FROM submissions AS before
+                               WHERE before.student_id = :student AND before.round = turn.round - 1) THEN 0 ELSE 1 END,
                        $HINTS, :due, :penalty, :penalty
                    FROM (SELECT $ROUND AS round) AS turn,
                        (SELECT coalesce(max(attempt), 0) + 1 AS attempt

@@ -106,6 +106,7 @@ internal class ExercisePage(
                 }
                 section { work(texts, stand, refused) }
             }
+            if (stand.mine != null) editor()
         }
     }
 

@@ -15,7 +15,6 @@ import kotlinx.html.label
 import kotlinx.html.p
 import kotlinx.html.span
 import kotlinx.html.summary
-import kotlinx.html.textArea
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.predicting.SheetText
 import rasterlab.grader.storage.Secrets
@@ -67,15 +66,19 @@ private fun FlowContent.whole(
         input(InputType.file, name = "source") { accept = ".${form.ending()},${form.mediaType()}" }
     }
     stand.form?.file?.let { p { +texts.say("exercise.kept", it) } }
-    label {
-        span { +texts.say("exercise.paste.${form.code()}") }
-        textArea(rows = if (form == Exercise.TaskKind.PREDICT) "14" else "10") {
-            name = "source"
-            attributes["spellcheck"] = "false"
-            // A browser leaves out the line end that a text begins with.
-            +(if (text.startsWith('\n')) "\n$text" else text)
-        }
-    }
+    val rows = if (form == Exercise.TaskKind.PREDICT) 14 else 10
+    sourceField(texts.say("exercise.paste.${form.code()}"), form.ending(), text, rows)
+}
+
+/** Has what is typed kept in the browser until it is handed in. */
+private fun FORM.keepTyped(
+    texts: PageTexts,
+    stand: ExerciseStand,
+) {
+    attributes["data-typed"] = "$action ${stand.who.id}"
+    attributes["data-attempts"] = "${stand.mine.orEmpty().size}"
+    attributes["data-back"] = texts.say("exercise.typed.back")
+    attributes["data-drop"] = texts.say("exercise.typed.drop")
 }
 
 /** A form that hands in what [content] asks for, with what a deadline that has passed asks besides. */
@@ -86,6 +89,7 @@ private fun FlowContent.handing(
     content: FORM.() -> Unit,
 ) = form("/exercises/${stand.exercise.id()}", encType = FormEncType.multipartFormData, method = FormMethod.post) {
     id = name
+    if (stand.sheet == null) keepTyped(texts, stand)
     input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }
     content()
     input(InputType.hidden, name = HandedForm.PERCENT) { value = "${stand.rules.penalty(stand.now)}" }

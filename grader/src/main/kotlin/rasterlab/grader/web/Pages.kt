@@ -44,6 +44,7 @@ fun Route.pages(
     entry: RateLimitName,
 ) = with(parts) {
     staticResources("/assets", "rasterlab.grader.web.assets")
+    staticResources(LIBRARIES, "META-INF.resources.webjars")
     welcome(accounts, institution)
     rateLimit(entry) { entering(accounts, courses, institution) }
     exercisePages(accounts, rules, exercises, sheets, hints, submissions, intake, queue, closed, clock)

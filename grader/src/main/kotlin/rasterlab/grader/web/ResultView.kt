@@ -37,6 +37,9 @@ import rasterlab.grader.report.LabFiles
 import rasterlab.grader.report.SubmissionView
 import kotlin.jvm.optionals.getOrNull
 
+private const val MINUTE_SECONDS = 60
+private const val STEP_SECONDS = 5
+
 /**
  * Everything that is known of a submission by now.
  *
@@ -104,15 +107,8 @@ private fun FlowContent.progress(
     p {
         when (view.state) {
             "queued" -> {
-                +(
-                    if (view.position >
-                        0
-                    ) {
-                        texts.say("result.position", view.position)
-                    } else {
-                        texts.say("trial.waits")
-                    }
-                )
+                +(if (view.position > 0) texts.say("result.position", view.position) else texts.say("trial.waits"))
+                view.waitSeconds?.let { +" ${texts.say("result.wait", texts.roughly(it))}" }
             }
 
             else -> {
@@ -123,6 +119,14 @@ private fun FlowContent.progress(
         a(page) { +texts.say("result.reload") }
     }
 }
+
+/** A time to wait, in steps of five seconds up to a minute and in minutes above. */
+private fun PageTexts.roughly(seconds: Int): String =
+    if (seconds > MINUTE_SECONDS - STEP_SECONDS) {
+        say("exam.minutes", (seconds + MINUTE_SECONDS - 1) / MINUTE_SECONDS)
+    } else {
+        say("exam.seconds", (seconds + STEP_SECONDS - 1) / STEP_SECONDS * STEP_SECONDS)
+    }
 
 /**
  * @param percent that lateness costs

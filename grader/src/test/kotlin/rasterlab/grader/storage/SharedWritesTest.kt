@@ -16,6 +16,7 @@ import java.util.concurrent.CompletableFuture.supplyAsync
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
+import java.util.concurrent.locks.LockSupport
 
 /** Several threads write while another commits, and all of them are committed together. */
 @Timeout(60)
@@ -104,7 +105,7 @@ class SharedWritesTest {
                     while (writes.waiting() <=
                         before
                     ) {
-                        Thread.onSpinWait()
+                        LockSupport.parkNanos(1_000_000)
                     }
                 }
             }

@@ -104,6 +104,36 @@ open class TurnsTest {
         assertEquals(2 to 4, submissions.position(bobs) to submissions.position(last))
     }
 
+    @Test
+    @DisplayName("who is the first to come after a pause is overtaken by the next, since they came before it too")
+    fun theFirstAfterAPauseStaysTheFirst() {
+        val (ada, bob) = listOf("Ada", "Bob").map(students::student)
+        for (student in listOf(ada, ada, bob)) {
+            names[students.handIn(student)] = student.name
+            if (student == ada && names.size == 1) graded()
+        }
+        assertEquals(listOf("Ada", "Bob"), List(2) { graded() })
+    }
+
+    @Test
+    @DisplayName("an hour in which nobody handed in counts as time for grading, or no wait is told")
+    fun theWaitGoesByThePaceOfGrading() {
+        val (ada, bob) = listOf("Ada", "Bob").map(students::student)
+        val submissions = Submissions(database)
+        val first = students.handIn(ada)
+        assertEquals(null, submissions.place(first).waitSeconds)
+        now += Duration.ofSeconds(4)
+        names[first] = "Ada"
+        graded()
+        now += Duration.ofHours(1)
+        listOf(ada, bob, ada).forEach { names[students.handIn(it)] = it.name }
+        now += Duration.ofSeconds(4)
+        graded()
+        val last = submissions.place(students.handIn(bob))
+        assertEquals(3 to 12, last.position to last.waitSeconds)
+        assertEquals(null, submissions.place(first).waitSeconds)
+    }
+
     private fun graded(): String {
         val lease = checkNotNull(leases.claimNext()) { "nothing waits" }
         leases.finish(lease, "r1", Classroom.report(GradingVerdict.OK, ScorePoints(6, 3, 1, 10)))

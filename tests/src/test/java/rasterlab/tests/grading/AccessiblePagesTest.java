@@ -71,7 +71,7 @@ class AccessiblePagesTest {
                             "/exercises/predict-circle",
                             "/exams")) findings.addAll(findings(browser, page));
             browser.driver().get(address("/exercises/line-bresenham"));
-            browser.element("textarea[name=source]").sendKeys(Solutions.source(Solutions.WRONG));
+            browser.paste(Solutions.source(Solutions.WRONG));
             browser.element("form[action='/exercises/line-bresenham'] button").click();
             browser.text("#live .verdict .status.wrong");
             findings.addAll(findings(browser, "a result"));
@@ -81,7 +81,7 @@ class AccessiblePagesTest {
             browser.text(".case .thread .waits");
             findings.addAll(findings(browser, "a complaint"));
             browser.driver().get(address("/exercises/line-bresenham"));
-            browser.element("textarea[name=source]").sendKeys(Solutions.source(Solutions.RIGHT));
+            browser.paste(Solutions.source(Solutions.RIGHT));
             browser.element("form[action='/exercises/line-bresenham'] button").click();
             browser.text("#live .verdict .status.ok");
             browser.element("a[href$='/compare']").click();

@@ -57,6 +57,13 @@ record Browser(ChromeDriver driver, Path profile) implements AutoCloseable {
         element("[name=" + name + "]").sendKeys(text);
     }
 
+    /** Puts a source into the editor, at once as by a paste. */
+    void paste(String source) {
+        element(".CodeMirror");
+        driver.executeScript(
+                "document.querySelector('.CodeMirror').CodeMirror.setValue(arguments[0])", source);
+    }
+
     WebElement element(String css) {
         return waiting().until(driver -> driver.findElement(By.cssSelector(css)));
     }

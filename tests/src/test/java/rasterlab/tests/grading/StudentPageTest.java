@@ -91,8 +91,7 @@ class StudentPageTest {
             assertTrue(browser.text(".statement").matches("(?s).*\\p{IsCyrillic}{4}.*"));
             assertFitsIntoItsWidth(browser);
             browser.screenshot("student-exercise-" + id);
-            browser.element("textarea[name=source]")
-                    .sendKeys(Catalogue.builtIn().named(id).starter());
+            browser.paste(Catalogue.builtIn().named(id).starter());
             browser.element("form[action='/exercises/" + id + "'] button").click();
             browser.waiting().until(driver -> allPicturesAreThere(browser));
             assertFitsIntoItsWidth(browser);
@@ -146,8 +145,7 @@ class StudentPageTest {
             browser.driver().get(server.address().resolve(page).toString());
             assertFitsIntoItsWidth(browser);
             browser.screenshot("student-exercise-break");
-            browser.element("textarea[name=source]")
-                    .sendKeys("{\"window\": [0, 0, 10, 10], \"segments\": [[-5, 5, 5, 5]]}");
+            browser.paste("{\"window\": [0, 0, 10, 10], \"segments\": [[-5, 5, 5, 5]]}");
             browser.element("form[action='" + page + "'] button").click();
             browser.waiting()
                     .until(
@@ -181,7 +179,7 @@ class StudentPageTest {
 
     private static void handIn(Browser browser, String source) {
         browser.driver().get(exercise().toString());
-        browser.element("textarea[name=source]").sendKeys(source);
+        browser.paste(source);
         browser.element("form[action='/exercises/line-bresenham'] button").click();
     }
 

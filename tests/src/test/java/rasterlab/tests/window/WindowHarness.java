@@ -175,7 +175,9 @@ abstract class WindowHarness {
         robot.focusAndWaitForFocusGain(window.robot().finder().findByName(frame, name));
     }
 
-    /** Presses a key and waits until the window has it: a display that is busy hands keys on late. */
+    /**
+     * Presses a key and waits until the window has it: a display that is busy hands keys on late.
+     */
     void press(int key) {
         var arrived = new AtomicBoolean();
         KeyEventDispatcher listener =

@@ -28,7 +28,6 @@ import kotlinx.html.script
 import kotlinx.html.section
 import kotlinx.html.span
 import kotlinx.html.summary
-import kotlinx.html.textArea
 import kotlinx.html.unsafe
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.formula.Formulas
@@ -52,15 +51,18 @@ import rasterlab.grader.submission.receiveFields
 import rasterlab.grader.submission.sourceOf
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.VIEWED
+import rasterlab.grader.web.editor
 import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.markdownAsHtml
 import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondPage
+import rasterlab.grader.web.sourceField
 import rasterlab.grader.web.studentHere
 import rasterlab.grader.web.texts
 
 /** Says in a form that a script sends it, which wants the seconds that are left and no page. */
 private const val QUIET = "quiet"
+private const val EXAM_ROWS = 16
 
 /**
  * Serves what students do at exams: open one, write, hand in, end it; and what staff do with exams.
@@ -213,6 +215,7 @@ private suspend fun ApplicationCall.respondSitting(
             form("/exams/${sitting.exam.id}/end", method = FormMethod.post) { button { +texts.say("exam.end.do") } }
         }
         script(src = "/assets/exam.js") { defer = true }
+        editor()
     }
 }
 
@@ -249,14 +252,7 @@ private fun FlowContent.work(
         attributes["data-saved"] = texts.say("exam.saved")
         attributes["data-failed"] = texts.say("exam.failed")
         input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }
-        label {
-            span { +texts.say("exam.text") }
-            textArea(rows = "16") {
-                name = "source"
-                attributes["spellcheck"] = "false"
-                +(if (text.startsWith('\n')) "\n$text" else text)
-            }
-        }
+        sourceField(texts.say("exam.text"), exercise.form().ending(), text, EXAM_ROWS)
         p("legend status-line") {
             role = "status"
             +texts.say(stateOf(draft))

@@ -20,14 +20,12 @@ import kotlinx.html.form
 import kotlinx.html.h2
 import kotlinx.html.id
 import kotlinx.html.input
-import kotlinx.html.label
 import kotlinx.html.li
 import kotlinx.html.p
 import kotlinx.html.section
-import kotlinx.html.span
 import kotlinx.html.stream.createHTML
-import kotlinx.html.textArea
 import kotlinx.html.ul
+import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.report.onEachChange
@@ -45,15 +43,20 @@ import rasterlab.grader.trial.TrialDesk
 import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
+import rasterlab.grader.web.editor
 import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.problem
 import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondFragment
 import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.result
+import rasterlab.grader.web.sourceField
 import rasterlab.grader.web.staffHere
 import rasterlab.grader.web.status
 import rasterlab.grader.web.texts
+
+/** The rows that the field of a program has at least. */
+private const val ROWS = 24
 
 /** Lets staff change a copy of a submission and run it, and shows what comes of it. */
 fun Route.trialPages(
@@ -135,8 +138,9 @@ private suspend fun ApplicationCall.respondEditor(
     respondPage(texts, who, texts.say("trial.title", texts.original(desk, submission)), status) {
         trouble()
         p { a("/submissions/${submission.id}") { +texts.say("trial.back") } }
-        editor(texts, submission.id, source)
+        changing(texts, desk, submission, source)
         others(texts, desk.trials.of(submission.id))
+        editor()
     }
 }
 
@@ -165,8 +169,9 @@ private suspend fun ApplicationCall.respondTrial(
             }
             outcome(texts, desk, trial)
         }
-        editor(texts, trial.submission, trial.source)
+        changing(texts, desk, original, trial.source)
         others(texts, desk.trials.of(trial.submission).filter { it.id != trial.id })
+        editor()
     }
 }
 
@@ -181,29 +186,23 @@ private fun DIV.outcome(
     }, address(trial), "/api/v1/trials/${trial.id}")
 }
 
-private fun FlowContent.editor(
+private fun FlowContent.changing(
     texts: PageTexts,
-    submission: String,
+    desk: TrialDesk,
+    submission: Submission,
     source: String,
 ) = section("card apart") {
     id = "edit"
     h2 { +texts.say("trial.edit") }
     p { +texts.say("trial.about") }
     form(
-        "/instructor/submissions/$submission/trials",
+        "/instructor/submissions/${submission.id}/trials",
         encType = FormEncType.multipartFormData,
         method = FormMethod.post,
     ) {
         input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }
-        label {
-            span { +texts.say("trial.source") }
-            textArea(rows = "24") {
-                name = "source"
-                attributes["spellcheck"] = "false"
-                // A browser leaves out the line end that a text begins with.
-                +(if (source.startsWith('\n')) "\n$source" else source)
-            }
-        }
+        val form = desk.exercises.find(submission.exercise)?.form() ?: Exercise.TaskKind.WRITE
+        sourceField(texts.say("trial.source"), form.ending(), source, ROWS)
         button { +texts.say("trial.do") }
     }
 }

@@ -50,7 +50,7 @@ final class BenchServer implements AutoCloseable {
         this.address = address;
         this.instructor = instructor;
         var made = send(json("/api/v1/courses", instructor, "{\"name\":\"Bench\"}"));
-        this.course = JSON.readTree(made.body()).path("id").asText();
+        this.course = JSON.readTree(made.body()).path("course").asText();
         this.code = JSON.readTree(made.body()).path("code").asText();
         signIn();
     }
@@ -139,8 +139,7 @@ final class BenchServer implements AutoCloseable {
      */
     long page(String path) throws IOException, InterruptedException {
         long start = System.nanoTime();
-        int status =
-                browser.send(request(path, "").build(), BodyHandlers.ofString()).statusCode();
+        int status = browser.send(request(path, "").build(), BodyHandlers.ofString()).statusCode();
         if (status != 200) throw new IOException(path + " was answered with " + status);
         return System.nanoTime() - start;
     }
