@@ -111,7 +111,7 @@ class SharedCourse(
         val IMAGES = arrayOf("--java-images", "${Path.of("target", "java-images").toAbsolutePath()}")
         const val PATIENCE_MINUTES = 4L
 
-        /** Between two looks, so that what is waited for has the processor. */
+        /** The time between two looks, in which what is waited for has the processor. */
         const val LOOK_NANOS = 20_000_000L
 
         const val RESULTS_OF_EACH =

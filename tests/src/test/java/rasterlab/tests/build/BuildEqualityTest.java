@@ -147,7 +147,7 @@ class BuildEqualityTest {
                 argumentSet(
                         "tests may take longer in Gradle",
                         "build.gradle.kts",
-                        "ofSeconds(1500)",
+                        "ofSeconds(3600)",
                         "ofSeconds(2500)",
                         "grader: seconds for tests"),
                 argumentSet(
