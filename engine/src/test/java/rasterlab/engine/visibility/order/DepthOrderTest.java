@@ -119,7 +119,7 @@ class DepthOrderTest {
                 argumentSet(
                         "comparisons never end",
                         new Newell(1_000_000, 10_000),
-                        "60 polygons must need at most 10000 comparisons, got 10084 with 161 pieces left to paint"));
+                        "60 polygons must need at most 10000 comparisons, got 10087 with 161 pieces left to paint"));
     }
 
     /** Each of the same random triangles in every run meets most others. */
