@@ -69,7 +69,7 @@ class CourseGuard(
             (place.first() == "exercises" && ACROSS.none { it in place.drop(2) })
 
     /**
-     * What an address names.
+     * A thing that an address names.
      *
      * @param course selects the id of its course
      */

@@ -67,7 +67,7 @@ class Courses(
 
     fun all(): List<Course> = database.read { rows(select(it, "")).list() }
 
-    /** Those that somebody teaches. */
+    /** The courses that somebody teaches. */
     fun of(who: Identity.StaffIdentity): List<Course> = all().filter { who.teaches(it.id) }
 
     /**

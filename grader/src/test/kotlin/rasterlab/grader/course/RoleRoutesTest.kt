@@ -263,10 +263,10 @@ class RoleRoutesTest {
         const val ROLES = 5
         const val UNENDING = "/instructor/events"
 
-        /** What shows each of the staff what is theirs. */
+        /** The addresses that show each of the staff what is theirs. */
         val OWN = setOf("/instructor", "/instructor/latest", UNENDING, "/exercises", "/api/v1/exercises")
 
-        /** What is for everybody, or shows each what is theirs. */
+        /** The addresses that are for everybody, or show each what is theirs. */
         val OF_NO_COURSE =
             Regex(
                 """[A-Z]+ (/|/(sign|lti)[-/].*|/join|/api/v1/join|/assets/.*|/(healthz|readyz|metrics|openapi.json)""" +

@@ -33,7 +33,7 @@ public final class BillTable extends JTable {
     private static final int NARROW = 100;
     private static final int LONG = 1_000_000;
 
-    /** More than the column of stages ever gets: it takes what the numbers leave. */
+    /** The width that the column of stages asks for, more than it gets: it takes what the numbers leave. */
     private static final int STAGES = 300;
 
     private final transient Texts texts;

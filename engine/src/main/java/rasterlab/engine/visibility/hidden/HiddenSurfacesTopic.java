@@ -25,7 +25,7 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
     private static final double CORRECT = 0.05;
     private static final double USABLE = 1;
 
-    /** In lengths of ρ. */
+    /** The farthest that a corner may be from the eye, in lengths of ρ. */
     private static final int FARTHEST = 1000;
 
     private final Visibilities visibilities = new Visibilities();

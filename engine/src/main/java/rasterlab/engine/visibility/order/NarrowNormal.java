@@ -74,7 +74,7 @@ final class NarrowNormal {
         return xyz[3 * k + axis] - xyz[axis];
     }
 
-    /** What rounding took from that difference. */
+    /** The part that rounding took from that difference. */
     private double lost(int k, int axis) {
         double to = xyz[3 * k + axis];
         double from = xyz[axis];
