@@ -190,6 +190,7 @@ class SubmissionRoutesTest {
                 "attempt",
                 "state",
                 "position",
+                "waitSeconds",
                 "verdict",
                 "points",
                 "cases",
