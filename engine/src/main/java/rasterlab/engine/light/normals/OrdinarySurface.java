@@ -1,12 +1,13 @@
 package rasterlab.engine.light.normals;
 
 /**
- * Tells surfaces whose vertex normals do not hang on rounding: no face is narrower than a
- * thousandth of its longest side, no side is shorter than that of its ends' coordinates, and no
- * vertex's faces cancel to less.
+ * Tells surfaces whose vertex normals do not hang on rounding: no face is narrower than a hundredth
+ * of its longest side, no side is shorter than that of its ends' coordinates, and no vertex's faces
+ * cancel to less than a tenth. What rounding turns a normal by, some 2⁻⁵³, grows by the products.
  */
 final class OrdinarySurface {
-    private static final double LEAST = 1e-3;
+    private static final double NARROWEST = 0.01;
+    private static final double LEAST_LEFT = 0.1;
 
     private final double[] xyz;
 
@@ -36,7 +37,7 @@ final class OrdinarySurface {
         double longest = Math.max(length(ab), Math.max(length(bc), length(ca)));
         double[] normal = cross(ab, bc);
         double twiceArea = length(normal);
-        if (!(twiceArea >= LEAST * longest * longest)) return false;
+        if (!(twiceArea >= NARROWEST * longest * longest)) return false;
         if (!isLong(ab, a, b) || !isLong(bc, b, c) || !isLong(ca, c, a)) return false;
         add(a, Math.atan2(twiceArea, -dot(ab, ca)), normal, twiceArea);
         add(b, Math.atan2(twiceArea, -dot(bc, ab)), normal, twiceArea);
@@ -51,7 +52,7 @@ final class OrdinarySurface {
                     Math.max(
                             most,
                             Math.max(Math.abs(xyz[3 * from + axis]), Math.abs(xyz[3 * to + axis])));
-        return length(side) >= LEAST * most;
+        return length(side) >= NARROWEST * most;
     }
 
     private void add(int vertex, double angle, double[] normal, double length) {
@@ -63,7 +64,7 @@ final class OrdinarySurface {
     private boolean nowhereCancels() {
         for (int v = 0; v < angles.length; v++) {
             double[] sum = {sums[3 * v], sums[3 * v + 1], sums[3 * v + 2]};
-            if (length(sum) < LEAST * angles[v]) return false;
+            if (length(sum) < LEAST_LEFT * angles[v]) return false;
         }
         return true;
     }
