@@ -9,9 +9,11 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import rasterlab.engine.Topics;
+import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.searching.Find;
 import rasterlab.exercises.searching.HazardSearch;
 import rasterlab.exercises.searching.SearchListener;
@@ -101,8 +103,25 @@ final class SearchBench {
         return topic.methods().stream().filter(which).<String>map(Method::name).toList();
     }
 
-    private static List<String> mutants(Topic<?, ?, ?> topic) {
-        return topic.allMutants().stream().<String>map(Mutant::name).distinct().toList();
+    private static <C, I, O> List<String> mutants(Topic<C, I, O> topic) {
+        List<Mutant<C>> general = topic.mutants();
+        return topic.allMutants().stream()
+                .filter(mutant -> general.contains(mutant) || isMistaken(topic, mutant))
+                .<String>map(Mutant::name)
+                .distinct()
+                .toList();
+    }
+
+    /**
+     * Whether a mutant of one method is wrong in the topic too: what is a mistake of Gouraud's
+     * shading may be Phong's.
+     */
+    private static <C, I, O> boolean isMistaken(Topic<C, I, O> topic, Mutant<C> mutant) {
+        Method<C> method = Method.failing(mutant.name(), mutant.implementation());
+        return topic.hazards().stream()
+                .filter(hazard -> hazard.name().equals(mutant.hazard()))
+                .map(hazard -> HazardTrial.judge(topic, method, hazard, HazardTrial.WALL_LIMIT))
+                .anyMatch(verdict -> verdict.kind() != Verdict.Kind.EXACT);
     }
 
     private boolean searched(

@@ -8,6 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.HashSet;
 import java.util.List;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -69,6 +70,15 @@ class SearchBenchTest {
         assertTrue(bench.run(List.of(Topics.named("visible-faces")), wanted));
         assertEquals(3, lines().size(), lines().toString());
         assertTrue(lines().get(2).startsWith(wanted + " | wrong | "), lines().get(2));
+    }
+
+    @Test
+    @DisplayName("a failure is searched for of what another method of the topic does rightly")
+    void mutantThatIsRightInTheTopicIsNotSearched() {
+        List<String> works = SearchBench.works();
+        assertFalse(works.contains("shade-face normals-interpolated"), "it is Phong's shading");
+        assertTrue(works.contains("shade-face colour-for-vertex"), "a mutant of Gouraud's alone");
+        assertEquals(new HashSet<>(works).size(), works.size());
     }
 
     @Test
