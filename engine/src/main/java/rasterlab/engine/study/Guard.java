@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import rasterlab.engine.study.SpentTime.Look;
+import rasterlab.engine.study.SpentTime.ThreadLook;
 
 /**
  * Runs foreign code on a thread of its own, so that it may crash or never end.
@@ -40,14 +40,14 @@ public final class Guard {
      * @throws CancellationException when the waiting thread is interrupted
      */
     public static <T> CallOutcome<T> call(String name, Callable<T> work, Duration limit) {
-        return call(name, work, limit, SpentTime.Look::at);
+        return call(name, work, limit, SpentTime.ThreadLook::at);
     }
 
     /**
      * @param watch looks at the thread, once in a while
      */
     static <T> CallOutcome<T> call(
-            String name, Callable<T> work, Duration limit, Function<Thread, Look> watch) {
+            String name, Callable<T> work, Duration limit, Function<Thread, ThreadLook> watch) {
         var task = new FutureTask<>(work);
         var thread = new Thread(task, name);
         thread.setDaemon(true);
@@ -64,7 +64,7 @@ public final class Guard {
     }
 
     private static <T> CallOutcome<T> within(
-            Duration limit, FutureTask<T> task, Supplier<Look> watch)
+            Duration limit, FutureTask<T> task, Supplier<ThreadLook> watch)
             throws ExecutionException, InterruptedException {
         long start = System.nanoTime();
         var spent = new SpentTime(limit);

@@ -39,15 +39,15 @@ final class SpentTime {
      * @param runs whether it wants to run, rather than to sleep or to wait for a lock
      * @param used processor time that it has had
      */
-    record Look(boolean runs, Duration used) {
-        static Look at(Thread thread) {
+    record ThreadLook(boolean runs, Duration used) {
+        static ThreadLook at(Thread thread) {
             ThreadMXBean threads = ManagementFactory.getThreadMXBean();
             boolean runs = thread.getState() == Thread.State.RUNNABLE;
             if (!threads.isThreadCpuTimeSupported() || !threads.isThreadCpuTimeEnabled())
-                return new Look(false, Duration.ZERO);
+                return new ThreadLook(false, Duration.ZERO);
             // It is negative for a thread that has ended meanwhile.
             long nanos = threads.getThreadCpuTime(thread.getId());
-            return new Look(runs, Duration.ofNanos(Math.max(0, nanos)));
+            return new ThreadLook(runs, Duration.ofNanos(Math.max(0, nanos)));
         }
     }
 
@@ -61,7 +61,7 @@ final class SpentTime {
      *
      * @param wall time since the thread began
      */
-    Duration more(Look seen, Duration wall) {
+    Duration more(ThreadLook seen, Duration wall) {
         Duration since = wall.minus(passed);
         Duration ran = seen.used().minus(used);
         if (!seen.runs() && since.compareTo(ran) > 0) idle = idle.plus(since.minus(ran));

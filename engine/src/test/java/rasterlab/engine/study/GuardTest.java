@@ -10,7 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.engine.study.SpentTime.Look;
+import rasterlab.engine.study.SpentTime.ThreadLook;
 
 class GuardTest {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
@@ -28,30 +28,31 @@ class GuardTest {
         "130, 200, 0",
     })
     void whatRunsIsWaitedForUntilItHasHadItsTime(long used, long passed, long more) {
-        assertEquals(ms(more), new SpentTime(LIMIT).more(new Look(true, ms(used)), ms(passed)));
+        assertEquals(
+                ms(more), new SpentTime(LIMIT).more(new ThreadLook(true, ms(used)), ms(passed)));
     }
 
     @Test
     void theLastNanosecondIsNotWaitedForInVain() {
-        var runs = new Look(true, LIMIT.minusNanos(1));
+        var runs = new ThreadLook(true, LIMIT.minusNanos(1));
         assertEquals(ms(1), new SpentTime(LIMIT).more(runs, LIMIT));
     }
 
     @Test
     void sleepCountsAsTimeSpentFromOneLookToTheNext() {
         var spent = new SpentTime(LIMIT);
-        assertEquals(ms(5), spent.more(new Look(false, ms(0)), ms(60)));
-        assertEquals(ms(5), spent.more(new Look(true, ms(20)), ms(300)));
-        assertEquals(ms(4), spent.more(new Look(false, ms(30)), ms(316)));
-        assertEquals(ms(0), spent.more(new Look(false, ms(30)), ms(320)));
+        assertEquals(ms(5), spent.more(new ThreadLook(false, ms(0)), ms(60)));
+        assertEquals(ms(5), spent.more(new ThreadLook(true, ms(20)), ms(300)));
+        assertEquals(ms(4), spent.more(new ThreadLook(false, ms(30)), ms(316)));
+        assertEquals(ms(0), spent.more(new ThreadLook(false, ms(30)), ms(320)));
     }
 
     @Test
     void aLockHeldAtOneMomentOfABusyMachineDoesNotTakeAllTheTime() {
         var spent = new SpentTime(LIMIT);
-        assertEquals(ms(5), spent.more(new Look(true, ms(10)), ms(1000)));
-        assertEquals(ms(5), spent.more(new Look(false, ms(10)), ms(1005)));
-        assertEquals(ms(5), spent.more(new Look(true, ms(20)), ms(2000)));
+        assertEquals(ms(5), spent.more(new ThreadLook(true, ms(10)), ms(1000)));
+        assertEquals(ms(5), spent.more(new ThreadLook(false, ms(10)), ms(1005)));
+        assertEquals(ms(5), spent.more(new ThreadLook(true, ms(20)), ms(2000)));
     }
 
     @Test
@@ -68,7 +69,7 @@ class GuardTest {
                         thread -> {
                             looked.countDown();
                             join(thread);
-                            return new Look(false, LIMIT);
+                            return new ThreadLook(false, LIMIT);
                         });
         assertEquals(new Guard.Returned<>("ended"), outcome);
     }
