@@ -14,6 +14,8 @@ import kotlinx.html.DIV
 import kotlinx.html.FlowContent
 import kotlinx.html.InputType
 import kotlinx.html.MAIN
+import kotlinx.html.TD
+import kotlinx.html.ThScope
 import kotlinx.html.a
 import kotlinx.html.body
 import kotlinx.html.button
@@ -35,7 +37,13 @@ import kotlinx.html.nav
 import kotlinx.html.p
 import kotlinx.html.script
 import kotlinx.html.span
+import kotlinx.html.table
+import kotlinx.html.tbody
+import kotlinx.html.td
+import kotlinx.html.th
+import kotlinx.html.thead
 import kotlinx.html.title
+import kotlinx.html.tr
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.StaffRole
 import rasterlab.grader.exercise.LANGUAGES
@@ -158,4 +166,33 @@ internal fun CommonAttributeGroupFacade.scrolledByKeys(name: String) {
     attributes["tabindex"] = "0"
     attributes["role"] = "group"
     attributes["aria-label"] = name
+}
+
+/**
+ * A table with a row for each of [all]; on a phone each row stands as a list, in which every cell tells its column.
+ *
+ * @param columns their names, and what a cell shows
+ */
+internal fun <T> FlowContent.stacked(
+    columns: List<Pair<String, FlowContent.(T) -> Unit>>,
+    all: List<T>,
+) = table("students stacked") {
+    thead { tr { columns.forEach { (name) -> th(scope = ThScope.col) { +name } } } }
+    tbody {
+        all.forEach { one ->
+            tr {
+                columns.forEach { (name, content) ->
+                    td {
+                        column(name)
+                        div { content(one) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/** Names the column for a phone, which shows no row of headings. */
+internal fun TD.column(name: String) {
+    attributes["data-column"] = name
 }
