@@ -25,9 +25,6 @@ class SharedWrites(
         return mine.outcome()
     }
 
-    /** The number of those that wait for their commit. */
-    internal fun waiting(): Int = waiting.size
-
     private fun commit(together: List<SharedWrite<*>>) {
         val failure =
             runCatching { database.write { handle -> together.forEach { it.run(handle) } } }.exceptionOrNull()

@@ -64,9 +64,6 @@ class Submissions(
                 .one()
         }
 
-    /** 1 for the next one to be graded; 0 when it is not waiting. */
-    fun position(id: String): Int = database.read { position(it, id) }
-
     /** Where it stands in the queue. */
     fun place(id: String): QueuePlace = QueuePlace.of(database, id)
 

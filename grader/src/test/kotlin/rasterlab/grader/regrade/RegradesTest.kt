@@ -76,7 +76,7 @@ open class RegradesTest {
         start(dry = true)
         assertEquals(earlier[0], grade())
         val fresh = students.handIn(students.student("Bob"))
-        assertEquals(1, Submissions(database).position(fresh))
+        assertEquals(1, Submissions(database).place(fresh).position)
         assertEquals(null, leases.regrades.claimNext(), "something is graded again while a new one waits")
         assertEquals(listOf(fresh, earlier[1], earlier[2]), List(3) { grade() })
     }

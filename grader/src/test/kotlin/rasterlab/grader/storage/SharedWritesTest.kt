@@ -99,19 +99,20 @@ class SharedWritesTest {
                 }
             }, threads)
         begun.await()
-        val done =
-            works.mapIndexed { before, work ->
-                supplyAsync({ writes.write(work) }, threads).also {
-                    while (writes.waiting() <=
-                        before
-                    ) {
-                        LockSupport.parkNanos(1_000_000)
-                    }
-                }
-            }
+        val done = works.map { work -> waitingFor { writes.write(work) } }
         go.countDown()
         first.get()
         return done
+    }
+
+    /** Begins it in a thread that waits by now. */
+    private fun <T> waitingFor(write: () -> T): CompletableFuture<T> {
+        val outcome = CompletableFuture<T>()
+        val thread =
+            Thread { runCatching(write).onSuccess(outcome::complete).onFailure(outcome::completeExceptionally) }
+        thread.start()
+        while (thread.state != Thread.State.WAITING) LockSupport.parkNanos(1_000_000)
+        return outcome
     }
 
     private fun course(

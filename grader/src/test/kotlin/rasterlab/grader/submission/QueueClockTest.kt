@@ -69,7 +69,7 @@ class QueueClockTest {
                 lease.finish(checkNotNull(lease.claimNext()), "r1", RIGHT)
             }
             shift = Duration.ofDays(-1)
-            assertEquals(1, Submissions(database).position(students.handIn(ada)))
+            assertEquals(1, Submissions(database).place(students.handIn(ada)).position)
         }
     }
 

@@ -101,7 +101,7 @@ open class TurnsTest {
         val last = (1..3).map { students.handIn(ada) }.last()
         val bobs = students.handIn(bob)
         val submissions = Submissions(database)
-        assertEquals(2 to 4, submissions.position(bobs) to submissions.position(last))
+        assertEquals(2 to 4, submissions.place(bobs).position to submissions.place(last).position)
     }
 
     @Test
