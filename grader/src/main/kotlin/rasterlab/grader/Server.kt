@@ -120,6 +120,7 @@ import rasterlab.grader.web.comparison.comparePages
 import rasterlab.grader.web.complaint.CaseComplaints
 import rasterlab.grader.web.complaint.complaintPages
 import rasterlab.grader.web.exam.examPages
+import rasterlab.grader.web.gradesPages
 import rasterlab.grader.web.institution.institutionPages
 import rasterlab.grader.web.lti.launchPages
 import rasterlab.grader.web.lti.platformPages
@@ -326,6 +327,7 @@ class Server(
         rateLimit(ENTRY) { launchPages(lti, accounts, exercises, chosen) }
         platformPages(accounts, lti)
         scorePages(accounts, courses, exercises, lti)
+        gradesPages(accounts, grades)
         courseExercisePages(accounts, courses, exercises, chosen, rules)
         examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
         errorPages(accounts, courses, exercises, last, groupComments)

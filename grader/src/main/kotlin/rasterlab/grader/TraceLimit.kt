@@ -4,6 +4,7 @@ import ch.qos.logback.classic.Level
 import ch.qos.logback.classic.Logger
 import ch.qos.logback.classic.turbo.TurboFilter
 import ch.qos.logback.core.spi.FilterReply
+import io.ktor.http.URLDecodeException
 import org.slf4j.Marker
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.TimeMark
@@ -12,6 +13,8 @@ import kotlin.time.TimeSource
 /**
  * Lets [most] failures a minute into the logs, each with its stack; the next minute's first tells how many
  * were left out. Whoever can provoke a failure could otherwise fill the disk by provoking it again.
+ *
+ * An address that cannot be decoded is no failure of ours, and is not logged: it is answered with 400.
  *
  * Set in logback.xml, so that it holds for the engine and the database as well.
  */
@@ -36,6 +39,7 @@ class TraceLimit(
     ): FilterReply {
         val stack = failure ?: params?.lastOrNull() as? Throwable
         if (stack == null || !level.isGreaterOrEqual(Level.WARN)) return FilterReply.NEUTRAL
+        if (stack is URLDecodeException) return FilterReply.DENY
         val leftOut = count() ?: return FilterReply.DENY
         if (leftOut > 0) logger.warn("{} more failures within a minute were not logged", leftOut)
         return FilterReply.NEUTRAL

@@ -4,8 +4,10 @@ import ch.qos.logback.classic.Level
 import ch.qos.logback.classic.LoggerContext
 import ch.qos.logback.classic.spi.ILoggingEvent
 import ch.qos.logback.core.read.ListAppender
+import io.ktor.http.URLDecodeException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.slf4j.LoggerFactory
 import kotlin.time.Duration.Companion.seconds
@@ -35,6 +37,13 @@ class TraceLimitTest {
             2,
         ) { log.log(null, "test", Level.toLocationAwareLoggerInteger(Level.WARN), "of the engine", null, Exception()) }
         assertEquals(22, logged().size)
+    }
+
+    @Test
+    @DisplayName("an address that cannot be decoded is logged as a failure, at each start too")
+    fun leavesOutWhatClientsGotWrong() {
+        log.error("400 Bad Request: GET - /%zz", URLDecodeException("Wrong HEX escape: %zz"))
+        assertEquals(emptyList<String>(), logged())
     }
 
     @Test

@@ -7,7 +7,7 @@ import io.ktor.server.routing.get
 import io.ktor.server.routing.patch
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
-import rasterlab.grader.course.instructor
+import rasterlab.grader.course.staff
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
@@ -34,27 +34,27 @@ private data class AdjustedAnswer(
     val adjustments: List<AdjustmentAnswer>,
 )
 
-/** Lets instructors give and take points, inside `authenticate`. */
+/** Lets staff give and take points, inside `authenticate`. */
 fun Route.adjustments(
     submissions: Submissions,
     adjustments: Adjustments,
 ) {
     get("/submissions/{id}/points") {
-        call.instructor()
+        call.staff()
         call.respondAdjusted(submissions, adjustments)
     }
     patch("/submissions/{id}/points") {
-        val instructor = call.instructor()
-        val id = submissions.seenBy(instructor, call.parameters.getOrFail("id")).id
+        val staff = call.staff()
+        val id = submissions.seenBy(staff, call.parameters.getOrFail("id")).id
         val (points, reason) =
             call.receiveJson("points", "reason") { it.tree("points").asText("") to it.anyText("reason") }
-        adjustments.give(id, points, reason, instructor.id, call.idempotencyKey())
+        adjustments.give(id, points, reason, staff.id, call.idempotencyKey())
         call.respondAdjusted(submissions, adjustments)
     }
     delete("/submissions/{id}/points/{adjustment}") {
-        val instructor = call.instructor()
-        val id = submissions.seenBy(instructor, call.parameters.getOrFail("id")).id
-        adjustments.revoke(id, call.parameters.getOrFail("adjustment"), instructor.id)
+        val staff = call.staff()
+        val id = submissions.seenBy(staff, call.parameters.getOrFail("id")).id
+        adjustments.revoke(id, call.parameters.getOrFail("adjustment"), staff.id)
         call.respondAdjusted(submissions, adjustments)
     }
 }
@@ -63,7 +63,7 @@ private suspend fun ApplicationCall.respondAdjusted(
     submissions: Submissions,
     adjustments: Adjustments,
 ) {
-    val id = submissions.seenBy(instructor(), parameters.getOrFail("id")).id
+    val id = submissions.seenBy(staff(), parameters.getOrFail("id")).id
     val listed = submissions.listed(id)
     respondJson(AdjustedAnswer(id, listed?.points, listed?.of, adjustments.of(id).map(::answer)))
 }

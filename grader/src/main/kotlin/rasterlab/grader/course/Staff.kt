@@ -168,19 +168,7 @@ class Staff(
         id: String,
         name: Name,
         by: String,
-    ): StaffMember =
-        database.write { handle ->
-            val found = find(handle, id)
-            if (found.name != name.text) {
-                handle
-                    .createUpdate("UPDATE instructors SET name = :name WHERE id = :id")
-                    .bind("name", name.text)
-                    .bind("id", id)
-                    .execute()
-                note(handle, by, "staff-name", id, "${found.name} → ${name.text}".trim())
-            }
-            find(handle, id)
-        }
+    ): StaffMember = change(id) { rename(it, id, name, by) }
 
     /**
      * Gives somebody a single course, or all.
@@ -194,20 +182,68 @@ class Staff(
         id: String,
         course: String?,
         by: String,
+    ): StaffMember = change(id) { assign(it, id, course, by) }
+
+    /**
+     * Does both, or nothing where one cannot be.
+     *
+     * @param course its id or code; null for all
+     * @throws Rejection.UnknownCourse
+     * @throws Rejection.LastInstructor where nobody could give access afterwards
+     */
+    fun renameAndAssign(
+        id: String,
+        name: Name,
+        course: String?,
+        by: String,
+    ): StaffMember =
+        change(id) {
+            rename(it, id, name, by)
+            assign(it, id, course, by)
+        }
+
+    private fun change(
+        id: String,
+        work: (Handle) -> Unit,
     ): StaffMember =
         database.write { handle ->
-            val found = find(handle, id)
-            val only = course?.let { Courses.named(handle, it) }
-            if (found.course?.id == only?.id) return@write found
-            if (found.revokedAt == null) requireAnother(handle, found)
-            handle
-                .createUpdate("UPDATE instructors SET course_id = :course WHERE id = :id")
-                .bind("course", only?.id)
-                .bind("id", id)
-                .execute()
-            note(handle, by, "staff-course", id, "${told(found.course)} → ${told(only)}")
+            work(handle)
             find(handle, id)
         }
+
+    private fun rename(
+        handle: Handle,
+        id: String,
+        name: Name,
+        by: String,
+    ) {
+        val found = find(handle, id)
+        if (found.name == name.text) return
+        handle
+            .createUpdate("UPDATE instructors SET name = :name WHERE id = :id")
+            .bind("name", name.text)
+            .bind("id", id)
+            .execute()
+        note(handle, by, "staff-name", id, "${found.name} → ${name.text}".trim())
+    }
+
+    private fun assign(
+        handle: Handle,
+        id: String,
+        course: String?,
+        by: String,
+    ) {
+        val found = find(handle, id)
+        val only = course?.let { Courses.named(handle, it) }
+        if (found.course?.id == only?.id) return
+        if (found.revokedAt == null) requireAnother(handle, found)
+        handle
+            .createUpdate("UPDATE instructors SET course_id = :course WHERE id = :id")
+            .bind("course", only?.id)
+            .bind("id", id)
+            .execute()
+        note(handle, by, "staff-course", id, "${told(found.course)} → ${told(only)}")
+    }
 
     private fun told(course: Course?) = course?.name ?: "*"
 

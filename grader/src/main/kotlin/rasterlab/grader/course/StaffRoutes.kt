@@ -86,9 +86,14 @@ fun Route.staff(
                 (if (it.has("name")) Name.of(it.anyText("name")) else null) to
                     (if (it.has("course")) Assigned(it.courseOrAll()) else null)
             }
-        name?.let { staff.rename(id, it, instructor.id) }
-        assigned?.let { staff.assign(id, it.course, instructor.id) }
-        call.respondJson(answer(staff.find(id)))
+        val changed =
+            when {
+                name != null && assigned != null -> staff.renameAndAssign(id, name, assigned.course, instructor.id)
+                name != null -> staff.rename(id, name, instructor.id)
+                assigned != null -> staff.assign(id, assigned.course, instructor.id)
+                else -> staff.find(id)
+            }
+        call.respondJson(answer(changed))
     }
     delete("/staff/{staff}") {
         val instructor = call.instructor()

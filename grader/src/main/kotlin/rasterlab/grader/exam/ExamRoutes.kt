@@ -118,7 +118,7 @@ fun Route.exams(
         call.respondJson(answer(exams.drop(call.examId(), instructor.id)))
     }
     get("/exams/{exam}/protocol.csv") {
-        call.staff()
+        call.instructor()
         call.respondProtocol(exams)
     }
     patch("/exams/{exam}/students/{student}") {

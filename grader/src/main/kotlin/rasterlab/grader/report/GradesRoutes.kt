@@ -3,6 +3,7 @@ package rasterlab.grader.report
 import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
 import io.ktor.http.withCharset
+import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.header
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
@@ -45,12 +46,17 @@ class Grades(
 fun Route.grades(grades: Grades) =
     get("/courses/{course}/grades.csv") {
         call.instructor()
-        val asked = call.request.queryParameters["for"] ?: GradesReader.PEOPLE.code
-        val codes = GradesReader.entries.map { it.code }
-        val reader =
-            GradesReader.entries.firstOrNull { it.code == asked }
-                ?: throw Rejection.Malformed("for is '$asked', allowed are ${codes.joinToString()}")
-        val file = grades.of(call.parameters.getOrFail("course"), reader, call.language())
-        call.response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"grades.csv\"")
-        call.respondText(file, ContentType.Text.CSV.withCharset(Charsets.UTF_8))
+        call.respondGrades(grades)
     }
+
+/** Answers with the marks of the course that the address names, as a file. */
+suspend fun ApplicationCall.respondGrades(grades: Grades) {
+    val asked = request.queryParameters["for"] ?: GradesReader.PEOPLE.code
+    val codes = GradesReader.entries.map { it.code }
+    val reader =
+        GradesReader.entries.firstOrNull { it.code == asked }
+            ?: throw Rejection.Malformed("for is '$asked', allowed are ${codes.joinToString()}")
+    val file = grades.of(parameters.getOrFail("course"), reader, language())
+    response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"grades.csv\"")
+    respondText(file, ContentType.Text.CSV.withCharset(Charsets.UTF_8))
+}

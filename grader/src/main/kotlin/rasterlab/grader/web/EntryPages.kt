@@ -10,6 +10,7 @@ import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.routing.post
 import kotlinx.html.FlowContent
+import kotlinx.html.FlowOrPhrasingContent
 import kotlinx.html.FormMethod
 import kotlinx.html.InputType
 import kotlinx.html.a
@@ -109,6 +110,15 @@ private suspend fun ApplicationCall.respondWelcome(
             }
         }
     }
+}
+
+/** The link that fills the token in for who opens it: a browser sends nothing of what stands behind #. */
+internal fun FlowOrPhrasingContent.signInLink(
+    texts: PageTexts,
+    token: String,
+) {
+    +" "
+    a("/#token=$token") { +texts.say("token.link") }
 }
 
 private fun FlowContent.byInstitution(

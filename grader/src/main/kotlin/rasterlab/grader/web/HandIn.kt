@@ -75,8 +75,8 @@ private fun FORM.keepTyped(
     texts: PageTexts,
     stand: ExerciseStand,
 ) {
-    attributes["data-typed"] = "$action ${stand.who.id}"
-    attributes["data-attempts"] = "${stand.mine.orEmpty().size}"
+    attributes["data-typed"] = "typed $action ${stand.who.id}"
+    attributes["data-attempts"] = "${stand.mine.orEmpty().maxOfOrNull { it.submission.attempt } ?: 0}"
     attributes["data-back"] = texts.say("exercise.typed.back")
     attributes["data-drop"] = texts.say("exercise.typed.drop")
 }

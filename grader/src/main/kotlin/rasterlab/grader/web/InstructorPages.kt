@@ -112,7 +112,10 @@ internal suspend fun ApplicationCall.respondToken(
     respondPage(texts, who, texts.say("token.title", name)) {
         section("card") {
             p { +texts.say("token.keep") }
-            p { code("token") { +token } }
+            p {
+                code("token") { +token }
+                signInLink(texts, token)
+            }
             p { a(to, classes = "button") { +texts.say(back) } }
         }
     }

@@ -31,7 +31,7 @@ import rasterlab.grader.report.submissionId
 import rasterlab.grader.submission.Submission
 import rasterlab.grader.submission.Submissions
 
-/** Takes what an instructor decides on the page of one submission: points given or taken, and grading it again. */
+/** Takes what staff decide on the page of one submission: points given or taken, and, of instructors, grading it again. */
 fun Route.markingPages(
     accounts: Accounts,
     courses: Courses,
@@ -43,7 +43,7 @@ fun Route.markingPages(
 ) {
     post("/instructor/submissions/{id}/points") {
         call.requireOwnForm()
-        val who = call.instructorHere(accounts)
+        val who = call.staffHere(accounts)
         val submission = submissions.seenBy(who, call.submissionId())
         val form = call.receiveForm()
         page.showAgain(call, who, form)
@@ -52,7 +52,7 @@ fun Route.markingPages(
     }
     post("/instructor/submissions/{id}/points/{adjustment}/revoke") {
         call.requireOwnForm()
-        val who = call.instructorHere(accounts)
+        val who = call.staffHere(accounts)
         val submission = submissions.seenBy(who, call.submissionId())
         page.showAgain(call, who, Parameters.Empty)
         adjustments.revoke(submission.id, call.parameters.getOrFail("adjustment"), who.id)
@@ -75,14 +75,16 @@ private suspend fun ApplicationCall.respondResultPage(submission: Submission) =
     respondRedirect("/submissions/${submission.id}")
 
 /**
- * The forms of an instructor beside a result.
+ * The forms of staff beside a result.
  *
+ * @param mayRegrade whether they may have it graded again
  * @param typed what was refused, or null
  */
 internal fun FlowContent.marking(
     texts: PageTexts,
     submission: Submission,
     given: List<Adjustment>,
+    mayRegrade: Boolean,
     typed: Parameters?,
 ) {
     val address = "/instructor/submissions/${submission.id}"
@@ -112,6 +114,7 @@ internal fun FlowContent.marking(
             button { +texts.say("points.do") }
         }
     }
+    if (!mayRegrade) return
     section("card apart") {
         h2 { +texts.say("regrade.heading") }
         p { +texts.say("regrade.this") }

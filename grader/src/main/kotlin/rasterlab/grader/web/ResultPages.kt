@@ -175,8 +175,8 @@ class ResultPage(
             ways(texts, who, submission, files.asksForPrograms)
             val title = texts.say(if (files.asksForPrograms) "result.source" else "result.handed")
             handed.show(this, texts, who, submission, title, typed)
-            if (who is Identity.Instructor && view.verdict != null) {
-                marking(texts, submission, adjustments.of(submission.id), typed)
+            if (who is Identity.StaffIdentity && view.verdict != null) {
+                marking(texts, submission, adjustments.of(submission.id), who is Identity.Instructor, typed)
             }
         }
     }

@@ -39,6 +39,9 @@ import rasterlab.grader.course.ROSTER_BYTES
 import rasterlab.grader.course.RosterChange
 import rasterlab.grader.course.RosterImport
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.report.Grades
+import rasterlab.grader.report.GradesReader
+import rasterlab.grader.report.respondGrades
 import rasterlab.grader.submission.FormField
 import rasterlab.grader.submission.Marks
 import rasterlab.grader.submission.Submissions
@@ -73,6 +76,15 @@ fun Route.rosterPages(
         val change = roster.apply(desk.course, file, dry = seen == null, who.id)
         if (seen == null) desk.preview(call, who, file, change) else desk.done(call, who, change)
     }
+}
+
+/** Gives instructors the marks of a course as a file. */
+fun Route.gradesPages(
+    accounts: Accounts,
+    grades: Grades,
+) = get("/instructor/courses/{course}/grades.csv") {
+    call.instructorHere(accounts)
+    call.respondGrades(grades)
 }
 
 private fun List<FormField>.content(name: String): ByteArray? =
@@ -119,9 +131,23 @@ private class RosterDesk(
             val mayChange = who is Identity.Instructor
             if (students.isEmpty()) p { +texts.say("roster.none", course.code) }
             if (students.isNotEmpty()) studentTable(texts, students, made, points, mayChange)
+            if (mayChange && students.isNotEmpty()) marks(texts)
             if (mayChange) upload(texts)
         }
     }
+
+    private fun FlowContent.marks(texts: PageTexts) =
+        section("card rostered") {
+            h2 { +texts.say("grades.title") }
+            p { +texts.say("grades.about") }
+            p("ways") {
+                for (reader in GradesReader.entries) {
+                    a("/instructor/courses/${course.id}/grades.csv?for=${reader.code}") {
+                        +texts.say("grades.${reader.code}")
+                    }
+                }
+            }
+        }
 
     private fun FlowContent.upload(texts: PageTexts) =
         section("card rostered") {
@@ -176,7 +202,10 @@ private class RosterDesk(
                     change.added.forEach { one ->
                         tr {
                             td { +one.name }
-                            td { code("token") { +one.token.orEmpty() } }
+                            td {
+                                code("token") { +one.token.orEmpty() }
+                                one.token?.let { signInLink(texts, it) }
+                            }
                         }
                     }
                 }

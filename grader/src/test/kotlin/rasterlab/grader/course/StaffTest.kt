@@ -246,6 +246,19 @@ class StaffTest {
         }
 
     @Test
+    @DisplayName("of two changes that are asked for at once, one is made although the other cannot be")
+    fun twoChangesAreOne() =
+        Classroom(folder).open(grades = false) {
+            val code = newCourse()
+            val first = listed().single().field("staff")
+            val name = listed().single().field("name")
+            change(first, """{"name":"Boss","course":"none"}""").assertProblem(404, "unknown-course")
+            change(first, """{"name":"Boss","course":"$code"}""").assertProblem(409, "last-instructor")
+            assertEquals(name, listed().single().field("name"))
+            assertEquals("Boss", change(first, """{"name":"Boss","course":null}""").json().field("name"))
+        }
+
+    @Test
     @DisplayName("staff of one course miss it, see another, keep what was changed, or count as staff of all")
     fun oneCourseIsGiven() =
         Classroom(folder).open(grades = false) {

@@ -69,7 +69,9 @@ final class SearchBench {
         return works(topic -> true);
     }
 
-    /** The works of the topic that a text begins with; none where it begins with no topic's name. */
+    /**
+     * The works of the topic that a text begins with; none where it begins with no topic's name.
+     */
     static List<String> worksOfTopicIn(String text) {
         String first = text.strip().split(" ")[0];
         return works(topic -> topic.name().equals(first));

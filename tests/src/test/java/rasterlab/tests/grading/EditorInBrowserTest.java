@@ -98,6 +98,49 @@ class EditorInBrowserTest {
         assertEquals("", value());
     }
 
+    @Test
+    @DisplayName(
+            "what was typed stays in the browser of a classroom after its student has signed out")
+    void whatIsTypedGoesWithWhoSignsOut() {
+        type("class Mine { }");
+        assertEquals(1L, kept());
+        browser.element("form[action='/sign-out'] button").click();
+        browser.element("form[action='/sign-in']");
+        assertEquals(0L, kept());
+    }
+
+    @Test
+    @DisplayName("nothing is kept any more after something unreadable was")
+    void anUnreadableDraftIsReplaced() {
+        String name = browser.element("form[data-typed]").getAttribute("data-typed");
+        browser.driver().executeScript("localStorage.setItem(arguments[0], '{bad')", name);
+        read(EXERCISE);
+        type("class Mine { }");
+        read(EXERCISE);
+        assertTrue(isBack());
+        assertEquals("class Mine { }", value());
+    }
+
+    @Test
+    @DisplayName("a link with a token signs nobody in, or its token stays in the address")
+    void aLinkFillsTheTokenIn() throws Exception {
+        String token = instructor.post("/join", joining("Dan")).path("token").asText();
+        browser.driver().manage().deleteAllCookies();
+        browser.driver().get(server.address() + "/#token=" + token);
+        browser.waiting().until(driver -> !driver.getCurrentUrl().contains(token));
+        new Actions(browser.driver()).sendKeys(Keys.ENTER).perform();
+        browser.element("form[action='/sign-out']");
+        assertEquals("Dan", browser.text(".who"));
+    }
+
+    private Object kept() {
+        return browser.driver().executeScript("return localStorage.length");
+    }
+
+    private String joining(String name) {
+        return "{\"course\":\"" + code + "\",\"name\":\"" + name + "\"}";
+    }
+
     private boolean isBack() {
         return !browser.driver().findElements(By.cssSelector(BACK)).isEmpty();
     }
@@ -108,8 +151,7 @@ class EditorInBrowserTest {
     }
 
     private void signIn(String name) throws Exception {
-        String joining = "{\"course\":\"" + code + "\",\"name\":\"" + name + "\"}";
-        String token = instructor.post("/join", joining).path("token").asText();
+        String token = instructor.post("/join", joining(name)).path("token").asText();
         browser.driver().manage().deleteAllCookies();
         browser.driver().get(server.address().toString());
         browser.fill("token", token);

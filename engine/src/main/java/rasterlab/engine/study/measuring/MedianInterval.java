@@ -48,15 +48,16 @@ public record MedianInterval(double low, double median, double high) {
 
     /**
      * The largest rank j from below whose interval still holds the true median often enough, at
-     * least 1.
+     * least 1. Terms are kept as logarithms: of more than 1074 values the first is below all
+     * doubles.
      */
     static int rank(int n) {
-        double below = Math.pow(0.5, n);
-        double term = below;
+        double logOfTerm = -n * Math.log(2);
+        double below = Math.exp(logOfTerm);
         int rank = 1;
         for (int j = 1; j <= n / 2; j++) {
-            term *= (n - j + 1.0) / j;
-            below += term;
+            logOfTerm += Math.log((n - j + 1.0) / j);
+            below += Math.exp(logOfTerm);
             if (1 - 2 * below < CONFIDENCE) break;
             rank = j + 1;
         }

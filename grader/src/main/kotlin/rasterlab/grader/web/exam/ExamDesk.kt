@@ -88,7 +88,7 @@ internal fun Route.examDesk(
         call.respondExam(who, exam, exams.seats(exam), exams.events(exam), sittings.now(), exercises)
     }
     get("/instructor/exams/{exam}/protocol.csv") {
-        call.staffHere(accounts)
+        call.instructorHere(accounts)
         call.respondProtocol(exams)
     }
     examChanges(accounts, exercises, exams)

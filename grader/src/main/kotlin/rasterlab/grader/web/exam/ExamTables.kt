@@ -49,8 +49,8 @@ internal suspend fun ApplicationCall.respondExam(
     respondPage(texts, who, exam.name) {
         p("ways") {
             a("/instructor/courses/${exam.course}/exams") { +texts.say("exams.back") }
-            a("/instructor/exams/${exam.id}/protocol.csv") { +texts.say("exams.protocol.csv") }
             if (who is Identity.Instructor) {
+                a("/instructor/exams/${exam.id}/protocol.csv") { +texts.say("exams.protocol.csv") }
                 a("/instructor/exams/${exam.id}/change") { +texts.say("exams.change") }
             }
         }

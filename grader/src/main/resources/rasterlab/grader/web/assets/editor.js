@@ -1,6 +1,6 @@
-// Gives each field that is marked `data-editor` an editor with line numbers and colours; without it the field works by itself.
+// Gives each field that is marked `data-editor` an editor with line numbers and colors; without it the field works by itself.
 // Keeps what is typed into a form that is marked `data-typed` in this browser, under a name that is the student's own, until it
-// is handed in: then the page has more attempts (`data-attempts`) than when the form was sent.
+// is handed in: then the page has more attempts (`data-attempts`) than when the form was sent. follow.js forgets it on signing out.
 "use strict";
 
 const NARROW = "(max-width: 40rem)";
@@ -29,37 +29,55 @@ const editorFor = (field) => {
   return editor;
 };
 
-const draftOf = (name) => JSON.parse(localStorage.getItem(name) ?? "null");
+// A browser may refuse to keep anything; then typing goes on without it.
+const kept = {
+  read(name) {
+    try {
+      return JSON.parse(localStorage.getItem(name));
+    } catch (unreadable) {
+      console.warn("a draft cannot be read", unreadable);
+      return null;
+    }
+  },
+  write(name, draft) {
+    try {
+      localStorage.setItem(name, JSON.stringify(draft));
+    } catch (refused) {
+      console.warn("a draft cannot be kept", refused);
+    }
+  },
+};
+
+const isWanted = (draft, attempts) =>
+  draft && typeof draft.text === "string" && draft.text !== "" && !(draft.attempts < attempts);
+
+const tellBack = (form, editor) => {
+  const line = document.createElement("p");
+  line.className = "legend";
+  line.setAttribute("role", "status");
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "plain";
+  button.textContent = form.dataset.drop;
+  button.addEventListener("click", () => {
+    editor.setValue("");
+    line.remove();
+    editor.focus();
+  });
+  line.append(`${form.dataset.back} `, button);
+  form.prepend(line);
+};
 
 const keepTyped = (form, editor) => {
-  const { typed, attempts, back, drop } = form.dataset;
-  const field = editor.getTextArea();
-  const keep = (more) => localStorage.setItem(typed, JSON.stringify({ text: field.value, ...more }));
-  const draft = draftOf(typed);
-  const handedIn = draft && draft.attempts !== undefined && Number(attempts) > draft.attempts;
-  if (handedIn) localStorage.removeItem(typed);
-  else if (draft && draft.text !== "" && draft.text !== editor.getValue()) {
-    if (editor.getValue() === "") {
-      editor.setValue(draft.text);
-      const line = document.createElement("p");
-      line.className = "legend";
-      line.setAttribute("role", "status");
-      const button = document.createElement("button");
-      button.type = "button";
-      button.className = "plain";
-      button.textContent = drop;
-      button.addEventListener("click", () => {
-        editor.setValue("");
-        localStorage.removeItem(typed);
-        line.remove();
-        editor.focus();
-      });
-      line.append(`${back} `, button);
-      form.prepend(line);
-    }
+  const name = form.dataset.typed;
+  const attempts = Number(form.dataset.attempts);
+  const draft = kept.read(name);
+  if (editor.getValue() === "" && isWanted(draft, attempts)) {
+    editor.setValue(draft.text);
+    tellBack(form, editor);
   }
-  field.addEventListener("input", () => keep({}));
-  form.addEventListener("submit", () => keep({ attempts: Number(attempts) }));
+  editor.on("change", () => kept.write(name, { text: editor.getValue() }));
+  form.addEventListener("submit", () => kept.write(name, { text: editor.getValue(), attempts }));
 };
 
 for (const field of document.querySelectorAll("textarea[data-editor]")) {

@@ -69,6 +69,20 @@ document.addEventListener("click", (event) => {
 // An answer for another server goes there by itself; elsewhere its button sends it.
 document.querySelector("form[data-send]")?.requestSubmit();
 
+// A link with a token fills the field, so that whoever follows it only presses the button. What stands behind # is never sent.
+const token = new URLSearchParams(location.hash.slice(1)).get("token");
+const tokenField = document.querySelector("form[action='/sign-in'] [name=token]");
+if (token && tokenField) {
+  tokenField.value = token;
+  history.replaceState(null, "", location.pathname);
+  tokenField.form.querySelector("button").focus();
+}
+
+// Another may sign in here next, so what editor.js keeps goes with who typed it.
+document.querySelector("form[action='/sign-out']")?.addEventListener("submit", () => {
+  Object.keys(localStorage).filter((name) => name.startsWith("typed ")).forEach((name) => localStorage.removeItem(name));
+});
+
 if (navigator.clipboard) {
   document.documentElement.classList.add("copies");
   document.addEventListener("click", (event) => {
