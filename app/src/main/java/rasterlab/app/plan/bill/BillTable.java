@@ -33,7 +33,10 @@ public final class BillTable extends JTable {
     private static final int NARROW = 100;
     private static final int LONG = 1_000_000;
 
-    /** The width that the column of stages asks for, more than it gets: it takes what the numbers leave. */
+    /**
+     * The width that the column of stages asks for, more than it gets: it takes what the numbers
+     * leave.
+     */
     private static final int STAGES = 300;
 
     private final transient Texts texts;
@@ -54,25 +57,24 @@ public final class BillTable extends JTable {
         fit();
     }
 
-    /** Gives each column of numbers the width of its longest, so that none is cut. */
+    /** Gives each column at least the width of its longest cell, so that none is cut. */
     private void fit() {
-        getColumnModel().getColumn(0).setPreferredWidth(UIScale.scale(STAGES));
-        for (int column = 1; column < COLUMNS.size(); column++) {
+        for (int column = 0; column < COLUMNS.size(); column++) {
             TableColumn shown = getColumnModel().getColumn(column);
-            TableCellRenderer head = getTableHeader().getDefaultRenderer();
-            Object name = shown.getHeaderValue();
-            int width = width(head, name, -1, column);
+            int least = 0;
             for (int row = 0; row < getRowCount(); row++)
-                width =
+                least =
                         Math.max(
-                                width,
+                                least,
                                 width(
                                         getCellRenderer(row, column),
                                         getValueAt(row, column),
                                         row,
                                         column));
-            shown.setMinWidth(width);
-            shown.setPreferredWidth(width);
+            TableCellRenderer head = getTableHeader().getDefaultRenderer();
+            int named = width(head, shown.getHeaderValue(), -1, column);
+            shown.setMinWidth(least);
+            shown.setPreferredWidth(column == 0 ? UIScale.scale(STAGES) : Math.max(least, named));
         }
     }
 
