@@ -7,8 +7,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.function.Function;
-import java.util.function.Supplier;
 import rasterlab.engine.study.SpentTime.ThreadLook;
 
 /**
@@ -40,20 +38,23 @@ public final class Guard {
      * @throws CancellationException when the waiting thread is interrupted
      */
     public static <T> CallOutcome<T> call(String name, Callable<T> work, Duration limit) {
-        return call(name, work, limit, SpentTime.ThreadLook::at);
+        return call(name, work, limit, new Watch());
     }
 
-    /**
-     * @param watch looks at the thread, once in a while
-     */
-    static <T> CallOutcome<T> call(
-            String name, Callable<T> work, Duration limit, Function<Thread, ThreadLook> watch) {
+    /** Looks at a thread; loaded without what only a slow call needs. */
+    static class Watch {
+        ThreadLook look(Thread thread) {
+            return ThreadLook.at(thread);
+        }
+    }
+
+    static <T> CallOutcome<T> call(String name, Callable<T> work, Duration limit, Watch watch) {
         var task = new FutureTask<>(work);
         var thread = new Thread(task, name);
         thread.setDaemon(true);
         thread.start();
         try {
-            return within(limit, task, () -> watch.apply(thread));
+            return within(limit, task, thread, watch);
         } catch (ExecutionException e) {
             return new Failed<>(e.getCause());
         } catch (InterruptedException e) {
@@ -64,24 +65,33 @@ public final class Guard {
     }
 
     private static <T> CallOutcome<T> within(
-            Duration limit, FutureTask<T> task, Supplier<ThreadLook> watch)
+            Duration limit, FutureTask<T> task, Thread thread, Watch watch)
             throws ExecutionException, InterruptedException {
         long start = System.nanoTime();
+        long first = Math.max(SpentTime.LEAST_NANOS, limit.toNanos() / SpentTime.LOOKS);
+        if (hasEnded(task, first)) return new Returned<>(task.get());
         var spent = new SpentTime(limit);
-        Duration wait = spent.first();
         while (true) {
-            try {
-                return new Returned<>(task.get(wait.toNanos(), TimeUnit.NANOSECONDS));
-            } catch (TimeoutException e) {
-                Duration passed = Duration.ofNanos(System.nanoTime() - start);
-                wait = spent.more(watch.get(), passed);
-            }
+            Duration passed = Duration.ofNanos(System.nanoTime() - start);
+            Duration wait = spent.more(watch.look(thread), passed);
             // It may have ended while it was looked at, and a thread that has ended does not run.
-            if (wait.isZero() && task.isDone()) return new Returned<>(task.get());
+            if (wait.isZero() ? task.isDone() : hasEnded(task, wait.toNanos()))
+                return new Returned<>(task.get());
             if (wait.isZero()) {
                 task.cancel(true);
                 return new TimedOut<>(limit);
             }
+        }
+    }
+
+    /** Waits until a task has ended, but no longer than that; whether it has ended. */
+    private static boolean hasEnded(FutureTask<?> task, long nanos)
+            throws ExecutionException, InterruptedException {
+        try {
+            task.get(nanos, TimeUnit.NANOSECONDS);
+            return true;
+        } catch (TimeoutException e) {
+            return false;
         }
     }
 }

@@ -17,9 +17,10 @@ final class SpentTime {
     static final int MOST = 100;
 
     /** Looks within a limit. */
-    private static final int LOOKS = 20;
+    static final int LOOKS = 20;
 
-    private static final Duration LEAST_WAIT = Duration.ofMillis(1);
+    /** Nanoseconds between two looks, at least. */
+    static final long LEAST_NANOS = 1_000_000;
 
     private final Duration limit;
     private Duration passed = Duration.ZERO;
@@ -51,11 +52,6 @@ final class SpentTime {
         }
     }
 
-    /** How long to wait for its first look. */
-    Duration first() {
-        return atMostOneLook(limit);
-    }
-
     /**
      * How long to wait until the next look; zero where its time is over.
      *
@@ -76,6 +72,6 @@ final class SpentTime {
     private Duration atMostOneLook(Duration left) {
         Duration look = limit.dividedBy(LOOKS);
         Duration wait = left.compareTo(look) < 0 ? left : look;
-        return wait.compareTo(LEAST_WAIT) < 0 ? LEAST_WAIT : wait;
+        return Duration.ofNanos(Math.max(LEAST_NANOS, wait.toNanos()));
     }
 }

@@ -66,10 +66,13 @@ class GuardTest {
                             return "ended";
                         },
                         ms(1),
-                        thread -> {
-                            looked.countDown();
-                            join(thread);
-                            return new ThreadLook(false, LIMIT);
+                        new Guard.Watch() {
+                            @Override
+                            ThreadLook look(Thread thread) {
+                                looked.countDown();
+                                join(thread);
+                                return new ThreadLook(false, LIMIT);
+                            }
                         });
         assertEquals(new Guard.Returned<>("ended"), outcome);
     }
