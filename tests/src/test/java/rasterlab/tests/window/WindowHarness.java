@@ -6,10 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
-import java.awt.KeyEventDispatcher;
-import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
-import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,7 +16,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import javax.swing.JTextArea;
@@ -175,25 +171,8 @@ abstract class WindowHarness {
         robot.focusAndWaitForFocusGain(window.robot().finder().findByName(frame, name));
     }
 
-    /**
-     * Presses a key and waits until the window has it: a display that is busy hands keys on late.
-     */
     void press(int key) {
-        var arrived = new AtomicBoolean();
-        KeyEventDispatcher listener =
-                event -> {
-                    if (event.getID() == KeyEvent.KEY_PRESSED && event.getKeyCode() == key)
-                        arrived.set(true);
-                    return false;
-                };
-        KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
-        focus.addKeyEventDispatcher(listener);
-        try {
-            robot.pressAndReleaseKey(key);
-            await("the key " + KeyEvent.getKeyText(key) + " has arrived", arrived::get);
-        } finally {
-            focus.removeKeyEventDispatcher(listener);
-        }
+        robot.pressAndReleaseKey(key);
         robot.waitForIdle();
     }
 
