@@ -38,17 +38,17 @@ public final class Guard {
      * @throws CancellationException when the waiting thread is interrupted
      */
     public static <T> CallOutcome<T> call(String name, Callable<T> work, Duration limit) {
-        return call(name, work, limit, new Watch());
+        return call(name, work, limit, new Lookout());
     }
 
     /** Looks at a thread; loaded without what only a slow call needs. */
-    static class Watch {
+    static class Lookout {
         ThreadLook look(Thread thread) {
             return ThreadLook.at(thread);
         }
     }
 
-    static <T> CallOutcome<T> call(String name, Callable<T> work, Duration limit, Watch watch) {
+    static <T> CallOutcome<T> call(String name, Callable<T> work, Duration limit, Lookout watch) {
         var task = new FutureTask<>(work);
         var thread = new Thread(task, name);
         thread.setDaemon(true);
@@ -65,7 +65,7 @@ public final class Guard {
     }
 
     private static <T> CallOutcome<T> within(
-            Duration limit, FutureTask<T> task, Thread thread, Watch watch)
+            Duration limit, FutureTask<T> task, Thread thread, Lookout watch)
             throws ExecutionException, InterruptedException {
         long start = System.nanoTime();
         long first = Math.max(SpentTime.LEAST_NANOS, limit.toNanos() / SpentTime.LOOKS);

@@ -66,7 +66,7 @@ class GuardTest {
                             return "ended";
                         },
                         ms(1),
-                        new Guard.Watch() {
+                        new Guard.Lookout() {
                             @Override
                             ThreadLook look(Thread thread) {
                                 looked.countDown();
