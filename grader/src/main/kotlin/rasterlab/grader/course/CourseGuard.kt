@@ -1,12 +1,9 @@
 package rasterlab.grader.course
 
-import io.ktor.http.HttpHeaders
-import io.ktor.http.decodeURLPart
 import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.call
-import io.ktor.server.request.path
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import kotlin.jvm.optionals.getOrNull
@@ -14,7 +11,7 @@ import kotlin.jvm.optionals.getOrNull
 /**
  * Keeps who teaches a single course from other courses and from what belongs to the whole server, whatever the address.
  * An address passes only where it is known to be of that course or for everybody, so that a new one is closed to them at
- * first.
+ * first, but for what lies below an exercise.
  */
 class CourseGuard(
     private val accounts: Accounts,
@@ -22,24 +19,11 @@ class CourseGuard(
 ) {
     /** @throws Rejection of a thing that is not there for who calls, or of the role */
     fun pass(call: ApplicationCall) {
-        val parts =
-            call.request
-                .path()
-                .split('/')
-                .filter { it.isNotEmpty() }
-                .map { it.decodeURLPart() }
+        val parts = call.addressParts()
         if (parts.firstOrNull() in FREE) return
-        callers(call).forEach { who -> who.onlyCourse?.let { requireOpen(it, parts) } }
-    }
-
-    /** Who calls by token and who by cookie: pages look at the one, the API at the other. */
-    private fun callers(call: ApplicationCall): List<Identity.StaffIdentity> {
-        val token =
-            call.request.headers[HttpHeaders.Authorization]
-                ?.substringAfter(' ', "")
-                ?.trim()
-        return listOfNotNull(token?.let(accounts::holder), call.sessionCookie()?.let(accounts::inSession))
-            .filterIsInstance<Identity.StaffIdentity>()
+        for (who in accounts.callers(call).filterIsInstance<Identity.StaffIdentity>()) {
+            who.onlyCourse?.let { requireOpen(it, parts) }
+        }
     }
 
     private fun requireOpen(

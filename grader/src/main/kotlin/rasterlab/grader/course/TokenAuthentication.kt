@@ -3,17 +3,36 @@ package rasterlab.grader.course
 import io.ktor.http.CookieEncoding
 import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpMethod
+import io.ktor.http.decodeURLPart
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.auth.AuthenticationConfig
 import io.ktor.server.auth.AuthenticationContext
 import io.ktor.server.auth.AuthenticationProvider
 import io.ktor.server.request.httpMethod
+import io.ktor.server.request.path
 import rasterlab.grader.problem.Rejection
 
 const val SESSION_COOKIE = "rasterlab"
 
 /** The session cookie of the browser, as it was sent: our sessions need no decoding, and it may be anything. */
 fun ApplicationCall.sessionCookie(): String? = request.cookies[SESSION_COOKIE, CookieEncoding.RAW]
+
+/** Who calls by token and who by cookie: pages look at the one, the API at the other. */
+internal fun Accounts.callers(call: ApplicationCall): List<Identity> {
+    val token =
+        call.request.headers[HttpHeaders.Authorization]
+            ?.substringAfter(' ', "")
+            ?.trim()
+    return listOfNotNull(token?.let(::holder), call.sessionCookie()?.let(::inSession))
+}
+
+/** The parts of the address between its slashes, decoded. */
+internal fun ApplicationCall.addressParts(): List<String> =
+    request
+        .path()
+        .split('/')
+        .filter { it.isNotEmpty() }
+        .map { it.decodeURLPart() }
 
 /**
  * Lets in the holder of a bearer token.

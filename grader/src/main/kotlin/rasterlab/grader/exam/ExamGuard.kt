@@ -1,8 +1,6 @@
 package rasterlab.grader.exam
 
-import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpMethod
-import io.ktor.http.decodeURLPart
 import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
@@ -12,6 +10,8 @@ import io.ktor.server.request.path
 import io.ktor.server.response.respondRedirect
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
+import rasterlab.grader.course.addressParts
+import rasterlab.grader.course.callers
 import rasterlab.grader.course.hasView
 import rasterlab.grader.course.sessionCookie
 import rasterlab.grader.course.viewedStudent
@@ -33,16 +33,11 @@ class ExamGuard(
 ) {
     /** @return whether the call goes on; otherwise it is answered */
     suspend fun pass(call: ApplicationCall): Boolean {
-        val parts =
-            call.request
-                .path()
-                .split('/')
-                .filter { it.isNotEmpty() }
-                .map { it.decodeURLPart() }
+        val parts = call.addressParts()
         // The pages of exams look themselves at who may have which.
         if (parts.firstOrNull() in FREE || parts.firstOrNull() == EXAMS || parts == API + EXAMS) return true
         viewed(call)?.let { refuseKept(it, parts) }
-        return students(call).all { pass(call, it, parts) }
+        return accounts.callers(call).filterIsInstance<Identity.StudentIdentity>().all { pass(call, it, parts) }
     }
 
     private suspend fun pass(
@@ -69,16 +64,6 @@ class ExamGuard(
         if (call.request.path().startsWith("/instructor")) return null
         val session = call.sessionCookie()?.takeIf { call.hasView() } ?: return null
         return accounts.inSession(session)?.let { call.viewedStudent(accounts, it) }
-    }
-
-    /** Who calls by token and who by cookie: pages look at the one, the API at the other. */
-    private fun students(call: ApplicationCall): List<Identity.StudentIdentity> {
-        val token =
-            call.request.headers[HttpHeaders.Authorization]
-                ?.substringAfter(' ', "")
-                ?.trim()
-        return listOfNotNull(token?.let(accounts::holder), call.sessionCookie()?.let(accounts::inSession))
-            .filterIsInstance<Identity.StudentIdentity>()
     }
 
     private fun refuseKept(
