@@ -172,12 +172,12 @@ internal class CourseRosterCommand(
     private fun print(change: RosterChange) {
         val out = spec.commandLine().out
         change.added.forEach { out.println(words.say("roster.added", it.name, it.token.orEmpty()).trim()) }
-        change.corrected.forEach {
-            out.println(
-                words.say("roster.corrected", it.from, it.to, it.fields.joinToString()).trim(),
-            )
+        change.corrected.forEach { one ->
+            out.println(words.say("roster.corrected", one.from, one.to))
+            one.changes.forEach { out.println("  " + words.say("roster.change", it.field, it.from ?: "-", it.to)) }
         }
         change.missing.forEach { out.println(words.say("roster.missing", it.shownName)) }
+        if (change.unused.isNotEmpty()) out.println(words.say("roster.unused", change.unused.joinToString()))
         val counts = listOf(change.added, change.corrected).map { "${it.size}" } + "${change.unchanged}"
         out.println(words.say(if (dry) "roster.would" else "roster.done", *counts.toTypedArray()))
     }

@@ -16,6 +16,12 @@ internal data class RosterRow(
     val keys = RosterColumn.entries.filter { it.names && it.kind in fields }.map { it.kind to fields.getValue(it.kind) }
 }
 
+/** @param unused the headings of the columns that say nothing that is kept, such as marks; "#4" is the fourth, without one */
+internal data class RosterTable(
+    val rows: List<RosterRow>,
+    val unused: List<String>,
+)
+
 /** Reads rosters: exports of Moodle and Canvas as they are, and tables with a heading for the name. */
 internal object Roster {
     private const val MOST_ROWS = 5_000
@@ -24,7 +30,7 @@ internal object Roster {
     private val NOBODY = setOf("points possible", "student, test", "test student", "")
 
     /** @throws Rejection.BadRoster with the number of the row that is at fault */
-    fun read(bytes: ByteArray): List<RosterRow> {
+    fun read(bytes: ByteArray): RosterTable {
         val table = RosterText.rows(bytes)
         if (table.isEmpty()) throw Rejection.BadRoster("empty")
         if (table.size > MOST_ROWS) throw Rejection.BadRoster("long", MOST_ROWS)
@@ -36,8 +42,18 @@ internal object Roster {
         val rows = table.drop(1).mapNotNull { (index, cells) -> row(index + 1, columns, cells) }
         if (rows.isEmpty()) throw Rejection.BadRoster("empty")
         requireOwnKeys(rows)
-        return rows
+        return RosterTable(rows, unused(columns, table.map { it.value }))
     }
+
+    private fun unused(
+        columns: List<RosterColumn?>,
+        table: List<List<String>>,
+    ): List<String> =
+        columns.indices.filter { columns[it] == null }.mapNotNull { at ->
+            val heading = table.first()[at].trim()
+            val says = table.any { it.getOrElse(at) { "" }.isNotBlank() }
+            if (says) heading.ifEmpty { "#${at + 1}" } else null
+        }
 
     private val NAMING =
         setOf(RosterColumn.FULL_NAME, RosterColumn.CANVAS_NAME, RosterColumn.FIRST_NAME, RosterColumn.LAST_NAME)

@@ -13,24 +13,37 @@ data class RosterAddition(
     val token: String?,
 )
 
-/** A student of whom the roster says something new. */
+/**
+ * Something that a roster says anew.
+ *
+ * @param from what an earlier roster said; null where none said it
+ */
+data class FieldChange(
+    val field: String,
+    val from: String?,
+    val to: String,
+)
+
+/** A student of whom the roster says something new, from one name to another or the same. */
 data class RosterCorrection(
     val student: String,
     val from: String,
     val to: String,
-    val fields: List<String>,
+    val changes: List<FieldChange>,
 )
 
 /**
  * Tells what a roster changes, or would change.
  *
  * @param missing students of the course who are not in the roster; they stay
+ * @param unused the headings of the columns of which nothing is taken
  */
 data class RosterChange(
     val added: List<RosterAddition>,
     val corrected: List<RosterCorrection>,
     val unchanged: Int,
     val missing: List<Enrolled>,
+    val unused: List<String>,
 )
 
 /**
@@ -52,10 +65,13 @@ class RosterImport(
         dry: Boolean,
         by: String,
     ): RosterChange {
-        val rows = Roster.read(roster)
-        if (dry) return database.read { plan(it, course, rows).change(null) }
+        val table = Roster.read(roster)
+        if (dry) return database.read { plan(it, course, table).change(null) }
         return database.write { handle ->
-            val change = plan(handle, course, rows).change(StudentRows(handle, course.id, clock.instant()))
+            val plan = plan(handle, course, table)
+            val rows = RosterRows(handle, course.id, plan.students, clock.instant())
+            val change = plan.change(rows)
+            rows.write()
             val detail = "added ${change.added.size}, corrected ${change.corrected.size}"
             AuditNote(by, course.id, "roster", subject = "", detail).write(handle, clock.instant())
             change
@@ -65,7 +81,7 @@ class RosterImport(
     private fun plan(
         handle: Handle,
         course: Course,
-        rows: List<RosterRow>,
+        table: RosterTable,
     ): Plan {
         val students = Courses.enrolled(handle, course.id)
         val fields = Courses.rosterFields(handle, course.id)
@@ -76,7 +92,7 @@ class RosterImport(
         val named = students.groupBy { it.name }
         val matches = LinkedHashMap<RosterRow, Enrolled>()
         val taken = HashMap<String, RosterRow>()
-        for (row in rows) {
+        for (row in table.rows) {
             val found =
                 row.keys.firstNotNullOfOrNull { byKey[it.first to it.second.lowercase()] }
                     ?: byName(row, named[row.name.text].orEmpty(), fields)
@@ -84,7 +100,7 @@ class RosterImport(
             taken.put(found.id, row)?.let { throw Rejection.BadRoster("both", it.line, row.line, found.shownName) }
             matches[row] = found
         }
-        return Plan(rows, matches, fields, students.filter { it.id !in taken })
+        return Plan(table, students, matches, fields, students.filter { it.id !in taken })
     }
 
     /** The student of that name, unless a roster said before that this is somebody else. */
@@ -99,40 +115,42 @@ class RosterImport(
     }
 
     private class Plan(
-        val rows: List<RosterRow>,
+        val table: RosterTable,
+        val students: List<Enrolled>,
         val matches: Map<RosterRow, Enrolled>,
         val fields: Map<String, Map<String, String>>,
         val missing: List<Enrolled>,
     ) {
-        /** @param students what writes it, or null for a preview */
-        fun change(students: StudentRows?): RosterChange {
-            val corrected = matches.mapNotNull { (row, student) -> correction(row, student, students) }
-            val added = rows.filter { it !in matches }.map { addition(it, students) }
-            return RosterChange(added, corrected, matches.size - corrected.size, missing)
+        /** @param rows what writes it, or null for a preview */
+        fun change(rows: RosterRows?): RosterChange {
+            val corrected = matches.mapNotNull { (row, student) -> correction(row, student, rows) }
+            val added = table.rows.filter { it !in matches }.map { addition(it, rows) }
+            return RosterChange(added, corrected, matches.size - corrected.size, missing, table.unused)
         }
 
         private fun correction(
             row: RosterRow,
             student: Enrolled,
-            students: StudentRows?,
+            rows: RosterRows?,
         ): RosterCorrection? {
             val before = fields[student.id].orEmpty()
             val news = row.fields.filter { (kind, value) -> before[kind] != value }
             val renamed = row.name.text != student.name
             if (news.isEmpty() && !renamed) return null
-            if (renamed) students?.rename(student.id, student.number, row.name)
-            students?.note(student.id, news)
-            return RosterCorrection(student.id, student.name, row.name.text, news.keys.toList())
+            if (renamed) rows?.rename(student, row.name)
+            rows?.note(student.id, news)
+            val changes = news.map { (kind, value) -> FieldChange(kind, before[kind], value) }
+            return RosterCorrection(student.id, student.name, row.name.text, changes)
         }
 
         private fun addition(
             row: RosterRow,
-            students: StudentRows?,
+            rows: RosterRows?,
         ): RosterAddition {
-            if (students == null) return RosterAddition(null, row.name.text, null)
+            if (rows == null) return RosterAddition(null, row.name.text, null)
             val token = Secrets.newToken()
-            val student = students.add(row.name, token)
-            students.note(student, row.fields)
+            val student = rows.add(row.name, token)
+            rows.note(student, row.fields)
             return RosterAddition(student, row.name.text, token)
         }
     }

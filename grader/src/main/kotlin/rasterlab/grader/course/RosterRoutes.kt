@@ -22,11 +22,19 @@ private data class AddedAnswer(
 )
 
 @Serializable
+private data class ChangeAnswer(
+    val field: String,
+    val from: String?,
+    val to: String,
+)
+
+@Serializable
 private data class CorrectedAnswer(
     val student: String,
     val from: String,
     val to: String,
     val fields: List<String>,
+    val changes: List<ChangeAnswer>,
 )
 
 @Serializable
@@ -42,6 +50,7 @@ private data class RosterAnswer(
     val corrected: List<CorrectedAnswer>,
     val unchanged: Int,
     val missing: List<MissingAnswer>,
+    val unused: List<String>,
 )
 
 /** Takes rosters from instructors, inside `authenticate`; `?dry=true` says what would change, and changes nothing. */
@@ -59,9 +68,19 @@ fun Route.roster(
         RosterAnswer(
             dry,
             change.added.map { AddedAnswer(it.student, it.name, it.token) },
-            change.corrected.map { CorrectedAnswer(it.student, it.from, it.to, it.fields) },
+            change.corrected.map(::corrected),
             change.unchanged,
             change.missing.map { MissingAnswer(it.id, it.shownName) },
+            change.unused,
         ),
     )
 }
+
+private fun corrected(one: RosterCorrection) =
+    CorrectedAnswer(
+        one.student,
+        one.from,
+        one.to,
+        one.changes.map { it.field },
+        one.changes.map { ChangeAnswer(it.field, it.from, it.to) },
+    )

@@ -24,10 +24,8 @@ internal class StudentRows(
                 .mapTo(Int::class.javaObjectType)
                 .one()
         handle
-            .createUpdate(
-                """INSERT INTO students (id, course_id, number, name, shown_name, token_hash, joined_at)
-                   VALUES (:id, :course, :number, :name, :shown, :hash, :now)""",
-            ).bind("id", student)
+            .createUpdate(ADD)
+            .bind("id", student)
             .bind("course", course)
             .bind("number", number)
             .bind("name", name.text)
@@ -45,7 +43,7 @@ internal class StudentRows(
         name: Name,
     ) {
         handle
-            .createUpdate("UPDATE students SET name = :name, shown_name = :shown WHERE id = :id")
+            .createUpdate(RENAME)
             .bind("id", student)
             .bind("name", name.text)
             .bind("shown", shownName(name, number))
@@ -59,17 +57,14 @@ internal class StudentRows(
     ) {
         for ((kind, value) in fields) {
             handle
-                .createUpdate(
-                    """INSERT INTO roster_fields (student_id, kind, value) VALUES (:student, :kind, :value)
-                       ON CONFLICT (student_id, kind) DO UPDATE SET value = excluded.value""",
-                ).bind("student", student)
+                .createUpdate(NOTE)
+                .bind("student", student)
                 .bind("kind", kind)
                 .bind("value", value)
                 .execute()
         }
     }
 
-    /** No two are shown under one name, and a name that ends like one with a number is not mistaken for one. */
     private fun shownName(
         name: Name,
         number: Int,
@@ -84,6 +79,27 @@ internal class StudentRows(
                 .bind("number", number)
                 .mapTo(Int::class.javaObjectType)
                 .one() > 0
-        return if (taken || name.text.endsWith(")")) "${name.text} ($number)" else name.text
+        return shown(name, number, taken)
+    }
+
+    companion object {
+        const val ADD =
+            """INSERT INTO students (id, course_id, number, name, shown_name, token_hash, joined_at)
+               VALUES (:id, :course, :number, :name, :shown, :hash, :now)"""
+        const val RENAME = "UPDATE students SET name = :name, shown_name = :shown WHERE id = :id"
+        const val NOTE =
+            """INSERT INTO roster_fields (student_id, kind, value) VALUES (:student, :kind, :value)
+               ON CONFLICT (student_id, kind) DO UPDATE SET value = excluded.value"""
+
+        /**
+         * No two are shown under one name, and a name that ends like one with a number is not mistaken for one.
+         *
+         * @param taken whether another student of the course is shown as [name]
+         */
+        fun shown(
+            name: Name,
+            number: Int,
+            taken: Boolean,
+        ): String = if (taken || name.text.endsWith(")")) "${name.text} ($number)" else name.text
     }
 }

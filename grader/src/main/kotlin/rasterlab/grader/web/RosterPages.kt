@@ -9,6 +9,7 @@ import kotlinx.html.FlowContent
 import kotlinx.html.FormEncType
 import kotlinx.html.FormMethod
 import kotlinx.html.InputType
+import kotlinx.html.LI
 import kotlinx.html.TBODY
 import kotlinx.html.ThScope
 import kotlinx.html.a
@@ -37,6 +38,7 @@ import rasterlab.grader.course.Enrolled
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.ROSTER_BYTES
 import rasterlab.grader.course.RosterChange
+import rasterlab.grader.course.RosterCorrection
 import rasterlab.grader.course.RosterImport
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.report.Grades
@@ -174,7 +176,7 @@ private class RosterDesk(
         val texts = call.texts()
         call.respondPage(texts, who, texts.say("roster.changes.title", course.name)) {
             p { +texts.say("roster.preview.about") }
-            changes(texts, change)
+            changes(texts, change, "roster.corrected")
             section("card rostered") {
                 if (change.added.isEmpty() && change.corrected.isEmpty()) {
                     p { +texts.say("roster.nothing") }
@@ -210,7 +212,7 @@ private class RosterDesk(
                     }
                 }
             }
-            changes(texts, change.copy(added = emptyList()))
+            changes(texts, change.copy(added = emptyList()), "roster.corrected.done")
             p { a(address, classes = "button") { +texts.say("roster.back") } }
         }
     }
@@ -266,22 +268,38 @@ private fun FlowContent.rows(
     }
 }
 
-/** Tells what a roster changes, a list for each kind of change. */
+/**
+ * Tells what a roster changes, a list for each kind of change.
+ *
+ * @param corrected names the heading of those who are, or were, corrected
+ */
 private fun FlowContent.changes(
     texts: PageTexts,
     change: RosterChange,
+    corrected: String,
 ) {
     list(texts.say("roster.added", change.added.size), change.added.map { it.name })
-    list(
-        texts.say("roster.corrected", change.corrected.size),
-        change.corrected.map { one ->
-            val name = if (one.from == one.to) one.to else "${one.from} → ${one.to}"
-            val fields = one.fields.joinToString { texts.say("roster.field.$it") }
-            if (fields.isEmpty()) name else "$name ($fields)"
-        },
-    )
+    if (change.corrected.isNotEmpty()) {
+        h2 { +texts.say(corrected, change.corrected.size) }
+        ul { change.corrected.forEach { li { correction(texts, it) } } }
+    }
     list(texts.say("roster.missing", change.missing.size), change.missing.map { it.shownName })
     if (change.unchanged > 0) p { +texts.say("roster.unchanged", change.unchanged) }
+    if (change.unused.isNotEmpty()) p { +texts.say("roster.unused", change.unused.joinToString()) }
+}
+
+private fun LI.correction(
+    texts: PageTexts,
+    one: RosterCorrection,
+) {
+    +one.from
+    ul {
+        if (one.from != one.to) li { +texts.say("roster.change", texts.say("roster.field.name"), one.from, one.to) }
+        one.changes.forEach { (field, from, to) ->
+            val name = texts.say("roster.field.$field")
+            li { +(from?.let { texts.say("roster.change", name, it, to) } ?: texts.say("roster.change.new", name, to)) }
+        }
+    }
 }
 
 private fun FlowContent.list(

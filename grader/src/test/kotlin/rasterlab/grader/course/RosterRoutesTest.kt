@@ -6,6 +6,7 @@ import io.ktor.client.request.setBody
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -68,6 +69,60 @@ class RosterRoutesTest {
             assertEquals("3", one("SELECT count(*) FROM students"))
             val third = roster(course, "Name\nAda King\nAlan Turing\n")
             assertEquals("2", third.getValue("unchanged").jsonPrimitive.content)
+        }
+
+    @Test
+    @DisplayName("what a field said before is not told, or a column that is not used is dropped in silence")
+    fun saysWhatEachFieldWasAndBecomes() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            val first = roster(course, "Name,Email,Group\nAda Lovelace,ada@example.org,\nGrace Hopper,,north\n")
+            assertEquals(0, first.list("unused").size)
+            val second = "Name,ID number,Email,Group,Mark\nAda King,s1,ada@example.org,,5\nGrace Hopper,,,south,6\n"
+            for (dry in listOf(true, false)) {
+                val answer = roster(course, second, dry)
+                val changes =
+                    answer.list("corrected").map { one ->
+                        one.jsonObject.list("changes").map { it.jsonObject.values.map { v -> v.jsonPrimitive.content } }
+                    }
+                val ada = listOf(listOf("id-number", "null", "s1"))
+                assertEquals(listOf(ada, listOf(listOf("section", "north", "south"))), changes)
+                assertEquals(listOf("Mark"), answer.list("unused").map { it.jsonPrimitive.content })
+            }
+        }
+
+    @Test
+    @DisplayName(
+        "students of one name are shown alike, or one who is renamed keeps another from the name that is free now",
+    )
+    fun showsNoTwoAlike() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            newStudent(course)
+            roster(course, "Name,Email\nBob,b@x\nBob,c@x\nEve,e@x\n")
+            roster(course, "Name,Email\nBob King,b@x\nBob,e@x\nDan,a@x\nDan,f@x\n")
+            val shown =
+                one("SELECT group_concat(shown_name, ', ') FROM (SELECT shown_name FROM students ORDER BY number)")
+            assertEquals("Ada, Bob King, Bob (3), Bob, Dan, Dan (6)", shown)
+        }
+
+    @Test
+    @DisplayName("a roster that is refused by the database leaves a part of it behind")
+    fun takesAllOrNothing() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            roster(course, FIRST)
+            database.write {
+                it.execute(
+                    """CREATE TRIGGER refuse BEFORE INSERT ON roster_fields WHEN NEW.value = 'last@example.org'
+                       BEGIN SELECT RAISE(ABORT, 'refused'); END""",
+                )
+            }
+            val many = (1..300).joinToString("\n") { "Student $it,s$it@example.org" }
+            val taken = send(course, "Name,Email\nAda King,ada@example.org\n$many\nEve,last@example.org\n")
+            assertEquals(503, taken.status.value, taken.bodyAsText())
+            assertEquals("2", one("SELECT count(*) FROM students"))
+            assertEquals("0", one("SELECT count(*) FROM students WHERE name = 'Ada King'"))
         }
 
     @Test

@@ -35,7 +35,7 @@ class RosterTest {
                 separator,
             )
         val bytes = ((if (mark) "\uFEFF" else "") + text).toByteArray(Charset.forName(encoding))
-        val rows = Roster.read(bytes)
+        val rows = Roster.read(bytes).rows
         assertEquals(listOf("Ада Лавлейс", "Грейс Хоппер, адмирал"), rows.map { it.name.text })
         assertEquals("ada@example.org", rows[0].fields["email"])
         assertEquals(null, rows[1].fields["email"])
@@ -53,6 +53,13 @@ class RosterTest {
         assertEquals(listOf("Ada Lovelace", "Grace Hopper"), rows.map { it.name.text })
         val names = mapOf("first-name" to "Ada", "last-name" to "Lovelace")
         assertEquals(names + mapOf("id-number" to "0042", "email" to "ada@example.org"), rows[0].fields)
+    }
+
+    @Test
+    @DisplayName("columns of which nothing is taken are dropped in silence, or empty ones are complained of")
+    fun namesTheColumnsThatAreNotUsed() {
+        val table = Roster.read("Name,Mark,,,Email\nAda,7,,x,ada@example.org\nGrace,8,,,\n".toByteArray())
+        assertEquals(listOf("Mark", "#4"), table.unused)
     }
 
     @Test
@@ -104,5 +111,5 @@ class RosterTest {
         assertTrue("UTF-8" in rejection.message, rejection.message)
     }
 
-    private fun read(roster: String) = Roster.read(roster.trimMargin().toByteArray())
+    private fun read(roster: String) = Roster.read(roster.trimMargin().toByteArray()).rows
 }

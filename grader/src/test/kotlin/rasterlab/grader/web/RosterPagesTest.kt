@@ -42,8 +42,7 @@ class RosterPagesTest {
             assertTrue("To be added: 1" in preview && "<li>Ада Лавлейс</li>" in preview, preview)
             assertTrue("left as they are: 1" in preview && "<li>Ada</li>" in preview, preview)
             assertEquals("1", count("students"))
-            val seen = checkNotNull(Regex("""name="seen" value="([^"]*)"""").find(preview)).groupValues[1]
-            val done = take(page, FormPart("seen", seen)).bodyAsText()
+            val done = take(page, FormPart("seen", seen(preview))).bodyAsText()
             assertEquals("2", count("students"))
             val token = checkNotNull(Regex("""<code class="token">([^<]*)</code>""").find(done)).groupValues[1]
             assertEquals(200, look(token, "/api/v1/exercises").status.value, "the token lets nobody in")
@@ -51,6 +50,32 @@ class RosterPagesTest {
             val again = take(page, FormPart("roster", roster)).bodyAsText()
             assertTrue("The roster changes nothing." in again && "name=\"seen\"" !in again, again)
         }
+
+    @Test
+    @DisplayName("what a field was is not shown, or what was done is told as something to do")
+    fun showsWhatEachFieldWas() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            val page = "/instructor/courses/$course/students"
+            val first = take(page, FormPart("roster", "Name;Group;Email\nAda;1;a@x\n")).bodyAsText()
+            take(page, FormPart("seen", seen(first)))
+            val preview =
+                take(
+                    page,
+                    FormPart("roster", "Name;Email;Group;Login;Mark\nAda King;a@x;2;ada;7\n"),
+                ).bodyAsText()
+            val done = take(page, FormPart("seen", seen(preview))).bodyAsText()
+            for (told in listOf(preview, done)) {
+                val lines = Regex("<li>([^<]*)").findAll(told).map { it.groupValues[1].trim() }.toList()
+                assertTrue(lines.containsAll(listOf("Ada", "name: Ada → Ada King", "section: 1 → 2")), told)
+                assertTrue("username: ada (not known before)" in lines, told)
+                assertTrue("not used: Mark" in told, told)
+            }
+            assertTrue("To be corrected: 1" in preview && "To be corrected" !in done && "Corrected: 1" in done, done)
+        }
+
+    private fun seen(page: String) =
+        checkNotNull(Regex("""name="seen" value="([^"]*)"""").find(page)) { page }.groupValues[1]
 
     @Test
     @DisplayName("a file that is no roster loses the page, changes something, or what is wrong is not told")
