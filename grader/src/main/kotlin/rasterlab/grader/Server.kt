@@ -130,6 +130,7 @@ import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
 import rasterlab.grader.web.rules.courseExercisePages
+import rasterlab.grader.web.similarity.similarPages
 import rasterlab.grader.web.trial.trialPages
 import rasterlab.grader.web.view.viewPages
 import rasterlab.grader.worker.Presence
@@ -275,7 +276,6 @@ class Server(
             CaseComplaints(complaints, ::isFree),
             ::isFree,
             complaints,
-            similar,
             live,
             workers,
             isolation,
@@ -330,6 +330,7 @@ class Server(
         gradesPages(accounts, grades)
         courseExercisePages(accounts, courses, exercises, chosen, rules)
         examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
+        similarPages(accounts, courses, exercises, similar)
         errorPages(accounts, courses, exercises, last, groupComments)
         commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)
         trialPages(accounts, trialDesk, live)
@@ -357,7 +358,7 @@ class Server(
                 regrades(courses, exercises, regrades, queue, live)
                 studentRecords(records, exercises::ending)
                 hints(exercises, hints, courses)
-                similarity(exercises, similar)
+                similarity(courses, exercises, similar)
                 errors(courses, exercises, last, groupComments)
                 groupComments(exercises, submissions, groupComments)
                 efforts(courses, exercises, efforts)

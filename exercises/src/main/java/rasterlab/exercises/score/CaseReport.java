@@ -67,6 +67,11 @@ public record CaseReport(
                 "");
     }
 
+    /** Whether the line called so is no case, but takes off what public cases do not pay. */
+    public static boolean isWithheld(String name) {
+        return name.equals(WITHHELD);
+    }
+
     /** The case's points of those that can be earned there, or what is taken off alone. */
     public static String pointsOf(int points, int of) {
         return points < 0 ? "−" + -points : points + "/" + of;

@@ -54,9 +54,17 @@ data class LikenessReport(
 class Similar(
     private val database: Database,
 ) {
-    /** @param exercise that students write programs for */
-    fun of(exercise: Exercise): LikenessReport {
-        val handed = last(exercise.id()).associateBy { it.submission }
+    /**
+     * Compares the programs of one course, or of all.
+     *
+     * @param exercise that students write programs for
+     * @param course its id; null for all of the server
+     */
+    fun of(
+        exercise: Exercise,
+        course: String? = null,
+    ): LikenessReport {
+        val handed = last(exercise.id(), course).associateBy { it.submission }
         val alike =
             SimilarityFinder(handed.values.map { Program(it.submission, it.student, it.source) }, exercise.starter())
         val pairs = alike.pairs(MOST)
@@ -67,26 +75,35 @@ class Similar(
         )
     }
 
-    /** The last program of each student, in the order in which they came. */
-    fun last(exercise: String): List<HandedProgram> =
+    /** The last program of each student of a course, or of all, in the order in which they came. */
+    fun last(
+        exercise: String,
+        course: String? = null,
+    ): List<HandedProgram> =
         database
             .read { handle ->
                 handle
                     .createQuery(
-                        "$HANDED WHERE s.exercise = :exercise AND r.verdict NOT IN $NO_PROGRAM ORDER BY s.sequence",
+                        """$HANDED WHERE s.exercise = :exercise AND r.verdict NOT IN $NO_PROGRAM
+                           AND students.course_id = coalesce(:course, students.course_id) ORDER BY s.sequence""",
                     ).bind("exercise", exercise)
+                    .bind("course", course)
                     .map { row, _ -> handed(row) }
                     .list()
             }.associateBy { it.student }
             .values
             .toList()
 
-    /** A submission that is graded, as it was handed in; null where there is none. */
-    fun find(submission: String): HandedProgram? =
+    /** A submission of a course, or of any, that is graded, as it was handed in; null where there is none. */
+    fun find(
+        submission: String,
+        course: String? = null,
+    ): HandedProgram? =
         database.read { handle ->
             handle
-                .createQuery("$HANDED WHERE s.id = :id")
+                .createQuery("$HANDED WHERE s.id = :id AND students.course_id = coalesce(:course, students.course_id)")
                 .bind("id", submission)
+                .bind("course", course)
                 .map { row, _ -> handed(row) }
                 .findOne()
                 .getOrNull()

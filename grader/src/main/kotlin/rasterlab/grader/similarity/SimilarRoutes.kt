@@ -10,11 +10,13 @@ import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
+import rasterlab.grader.course.Courses
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.rules.course
 import rasterlab.grader.storage.text
 
 @Serializable
@@ -42,17 +44,20 @@ private data class LikenessAnswer(
     val leftOut: List<ProgramAnswer>,
 )
 
-/** Serves what is alike to staff, inside `authenticate`; and all programs to instructors, for other tools. */
+/** Serves what is alike to staff, of one course or of all, inside `authenticate`; and all programs to instructors, for other tools. */
 fun Route.similarity(
+    courses: Courses,
     exercises: Exercises,
     similar: Similar,
 ) {
     get("/exercises/{id}/similarity") {
         call.staff()
-        val report = similar.of(exercises.written(call.parameters.getOrFail("id")))
-        call.respondJson(
-            LikenessAnswer(report.programs, report.pairs.map(::answer), report.leftOut.map(::answer)),
-        )
+        call.respondJson(answer(similar.of(exercises.written(call.parameters.getOrFail("id")))))
+    }
+    get("/courses/{course}/exercises/{id}/similarity") {
+        call.staff()
+        val course = call.course(courses)
+        call.respondJson(answer(similar.of(exercises.written(call.parameters.getOrFail("id")), course.id)))
     }
     get("/exercises/{id}/programs.zip") {
         call.instructor()
@@ -77,6 +82,9 @@ suspend fun ApplicationCall.respondPrograms(
  */
 fun Exercises.written(id: String): Exercise =
     find(id)?.takeIf { it.form() == Exercise.TaskKind.WRITE } ?: throw Rejection.UnknownExercise(id)
+
+private fun answer(report: LikenessReport) =
+    LikenessAnswer(report.programs, report.pairs.map(::answer), report.leftOut.map(::answer))
 
 private fun answer(one: Likeness) =
     PairAnswer(

@@ -23,6 +23,7 @@ import kotlinx.html.span
 import kotlinx.html.stream.createHTML
 import kotlinx.html.summary
 import kotlinx.html.ul
+import rasterlab.exercises.Exercise
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.comment.Comments
 import rasterlab.grader.complaint.ComplaintDesk
@@ -166,7 +167,7 @@ private suspend fun ApplicationCall.respondDesk(
             latest(texts, exercises, submissions.latest(who))
         }
         if (who.onlyCourse == null) {
-            h2 { +texts.say("similar.heading") }
+            h2 { +texts.say("similarity.heading") }
             similarLinks(texts, exercises)
         }
         h2 { +texts.say("instructor.hints") }
@@ -263,4 +264,17 @@ private fun FlowContent.latest(
 ) {
     if (rows.isEmpty()) p { +texts.say("instructor.latest.none") }
     if (rows.isNotEmpty()) classTable(texts, exercises, rows)
+}
+
+/** Links to the lists of pairs, for each exercise that programs are written for. */
+private fun FlowContent.similarLinks(
+    texts: PageTexts,
+    exercises: Exercises,
+) = details {
+    summary { +texts.say("similar.choose") }
+    ul {
+        exercises.all.filter { it.form() == Exercise.TaskKind.WRITE }.forEach {
+            li { a("/instructor/exercises/${it.id()}/similarity") { +it.title(texts.language) } }
+        }
+    }
 }

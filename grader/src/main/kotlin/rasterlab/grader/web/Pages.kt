@@ -26,7 +26,6 @@ import rasterlab.grader.regrade.Regrades
 import rasterlab.grader.report.Results
 import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseRules
-import rasterlab.grader.similarity.Similar
 import rasterlab.grader.student.StudentRecords
 import rasterlab.grader.submission.Choices
 import rasterlab.grader.submission.GradingQueue
@@ -52,7 +51,6 @@ fun Route.pages(
     hintPages(accounts, exercises, hints)
     resultPages(accounts, exercises, submissions, results, resultPage)
     markingPages(accounts, courses, exercises, submissions, adjustments, regrades, resultPage)
-    similarPages(accounts, exercises, similar)
     instructorPages(accounts, courses, exercises, submissions, comments, complaints, hints, live, isolation)
     rulesPages(accounts, courses, exercises, rules)
     regradePages(accounts, courses, exercises, regrades, queue, live)
@@ -97,7 +95,6 @@ class PageParts(
     cases: CaseView,
     free: (Identity) -> Boolean,
     val complaints: ComplaintDesk,
-    val similar: Similar,
     val live: Live,
     val workers: Workers,
     val isolation: () -> Isolation,

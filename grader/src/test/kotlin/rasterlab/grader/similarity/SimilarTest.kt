@@ -13,14 +13,21 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.Report
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.cookieOf
+import rasterlab.grader.course.Name
+import rasterlab.grader.course.Staff
+import rasterlab.grader.course.StaffRole
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
 import rasterlab.grader.text
 import java.nio.file.Path
+import java.time.InstantSource
 import java.util.zip.ZipInputStream
 
 /** Programs that are alike are shown to the instructor, by HTTP, on pages and in a file for other tools. */
@@ -80,8 +87,64 @@ class SimilarTest {
             val beside = page(address)
             assertEquals(2, Regex("<li><code>// &lt;[bi]&gt;</code>").findAll(beside).count(), beside)
             assertEquals(2, Regex("<li class=\"in-both\">").findAll(beside).count(), beside)
-            assertTrue("open-case, hidden-case" in beside, beside)
+            assertTrue("(2): one pixel; hidden-case." in beside, beside)
         }
+
+    @Test
+    @DisplayName("points that both lost are told as a case by a name of the program, without a reason")
+    fun saysWhyPointsAreWithheld() {
+        val report =
+            Classroom.wrongReport().let {
+                Report(
+                    it.verdict(),
+                    it.points(),
+                    it.cases() + CaseReport.withheld(1, "steep lines", "крутые отрезки"),
+                    it.diagnostics(),
+                    it.isolation(),
+                    it.nanosPerItem(),
+                )
+            }
+        Classroom(folder, grading = { _, _, _, _ -> report }).open {
+            val ids = List(2) { hand(newStudent(), COPIED) }
+            val beside = page("/instructor/exercises/draw-dot/similarity/${ids[0]}/${ids[1]}")
+            assertTrue("(2): one pixel; hidden-case." in beside, beside)
+            assertTrue("withheld, since most hidden inputs" in beside, beside)
+        }
+    }
+
+    @Test
+    @DisplayName("the list of a course has a program of another, or staff of another course see it")
+    fun comparesWithinACourse() =
+        Classroom(folder).open {
+            val (course, other) = List(2) { newCourse() }
+            val here = List(2) { hand(newStudent(course), COPIED) }
+            val there = hand(newStudent(other), COPIED)
+            val path = "/courses/$course/exercises/draw-dot/similarity"
+            val found = look(instructor, "/api/v1$path").json()
+            assertEquals("2", found.text("programs"))
+            val pair = found.list("pairs").single().jsonObject
+            assertEquals(here, listOf("first", "second").map { pair.getValue(it).jsonObject.text("submission") })
+            val list = page("/instructor$path")
+            val id = one("SELECT id FROM courses WHERE code = '$course'")
+            assertTrue("/instructor/courses/$id/exercises/draw-dot/similarity/${here[0]}/${here[1]}" in list, list)
+            assertTrue(there !in list && "of this course: 2" in list, list)
+            assertTrue("draw-dot/similarity\"" in page("/instructor/courses/$course/exercises"))
+            val staff = Staff(database, InstantSource.system())
+            val mine = staff.add(Name.of("Alan"), StaffRole.ASSISTANT, by = "test", key = null, id).token
+            assertEquals("2", look(mine, "/api/v1$path").json().text("programs"))
+            look(mine, "/api/v1${path.replace(course, other)}").assertProblem(404, "unknown-course")
+            val beside = "/instructor$path/${here[0]}"
+            assertTrue("in-both" in page("$beside/${here[1]}", mine))
+            assertTrue("in-both" !in page("$beside/$there", mine), "a program of another course is shown")
+        }
+
+    private suspend fun Visit.page(
+        path: String,
+        by: String = instructor,
+    ): String {
+        val cookie = cookieOf(by)
+        return client.get("$path?lang=en") { header(HttpHeaders.Cookie, cookie) }.bodyAsText()
+    }
 
     @Test
     @DisplayName("the file for other tools lacks a program, the starter or the table")

@@ -58,12 +58,16 @@ internal fun FlowContent.waysOfClass(
     here: String,
 ) = p("ways") {
     a("/instructor/courses/${course.id}/exercises") { +texts.say("rules.back") }
-    CLASS_PAGES.filter { it != here && (it != "front" || exercise.form() == Exercise.TaskKind.WRITE) }.forEach { page ->
+    val isWritten = exercise.form() == Exercise.TaskKind.WRITE
+    CLASS_PAGES.filter { it != here && (isWritten || it !in OF_PROGRAMS) }.forEach { page ->
         a("${rulesAddress(course, exercise)}/$page") { +texts.say("$page.heading") }
     }
 }
 
-private val CLASS_PAGES = listOf("errors", "stuck", "front")
+private val CLASS_PAGES = listOf("errors", "stuck", "front", "similarity")
+
+/** Pages that only exercises have for which programs are written. */
+private val OF_PROGRAMS = setOf("front", "similarity")
 
 private suspend fun ApplicationCall.respondEfforts(
     who: Identity.StaffIdentity,

@@ -179,6 +179,13 @@ private class ExerciseTable(
                 attributes["aria-label"] = "${texts.say("errors.heading")}: $title"
                 +texts.say("errors.link")
             }
+            if (exercise.form() == Exercise.TaskKind.WRITE) {
+                +" "
+                a("${rulesAddress(course, exercise)}/similarity") {
+                    attributes["aria-label"] = "${texts.say("similarity.heading")}: $title"
+                    +texts.say("similar.link")
+                }
+            }
         }
     }
 }
