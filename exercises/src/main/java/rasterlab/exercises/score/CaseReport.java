@@ -77,6 +77,11 @@ public record CaseReport(
         return points < 0 ? "−" + -points : points + "/" + of;
     }
 
+    /** Whether it is a case of the exercise, and no line on speed or on what is withheld. */
+    boolean isOfExercise() {
+        return !name.equals(SPEED) && !name.equals(WITHHELD);
+    }
+
     /** Tells a case without a name of its own from others of the same result. */
     public static String hidden(int number) {
         return HIDDEN + " " + number;

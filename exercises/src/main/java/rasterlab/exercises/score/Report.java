@@ -1,5 +1,6 @@
 package rasterlab.exercises.score;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -45,6 +46,37 @@ public record Report(
     /** This report with figures on its speed. */
     public Report with(Optional<SpeedFigures> measured) {
         return new Report(verdict, points, cases, diagnostics, isolation, nanosPerItem, measured);
+    }
+
+    /**
+     * This report with one case as another run judged it; all else stays, what is said of the speed
+     * and what is withheld included.
+     *
+     * @param again its line there, of a name that is here too
+     * @param stability whether the case earns stability, and not accuracy
+     */
+    public Report withCase(CaseReport again, boolean stability) {
+        int place = cases.stream().map(CaseReport::name).toList().indexOf(again.name());
+        if (place < 0)
+            throw new IllegalArgumentException("the report has no case '" + again.name() + "'");
+        int gained = again.points() - cases.get(place).points();
+        List<CaseReport> all = new ArrayList<>(cases);
+        all.set(place, again);
+        GradingVerdict first =
+                all.stream()
+                        .filter(CaseReport::isOfExercise)
+                        .map(CaseReport::verdict)
+                        .filter(one -> one != GradingVerdict.OK)
+                        .map(GradingVerdict::published)
+                        .findFirst()
+                        .orElse(GradingVerdict.OK);
+        ScorePoints changed =
+                new ScorePoints(
+                        points.accuracy() + (stability ? 0 : gained),
+                        points.stability() + (stability ? gained : 0),
+                        points.speed(),
+                        points.of());
+        return new Report(first, changed, all, diagnostics, isolation, nanosPerItem, figures);
     }
 
     /** The report's line on speed; empty where nothing was run. */

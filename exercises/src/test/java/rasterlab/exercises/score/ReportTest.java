@@ -55,6 +55,60 @@ class ReportTest {
         assertEquals(3, cut.of());
     }
 
+    /** The one that is judged again changes its own points and the verdict, and nothing beside. */
+    @ParameterizedTest
+    @CsvSource({
+        "false, 5, 1, OK, WRONG",
+        "true, 2, 4, OK, WRONG",
+        "true, 2, 1, TIME_LIMIT, TIME_LIMIT"
+    })
+    void oneCaseThatIsJudgedAgainChangesNothingElse(
+            boolean stability, int accuracy, int stable, GradingVerdict now, GradingVerdict whole) {
+        Report former =
+                new Report(
+                        GradingVerdict.WRONG,
+                        new ScorePoints(2, 1, 1, 10),
+                        List.of(
+                                judged("gap", GradingVerdict.WRONG, 0),
+                                judged("steep", GradingVerdict.WRONG, 0),
+                                CaseReport.withheld(2, "steep lines", "крутые отрезки"),
+                                judged(CaseReport.SPEED, GradingVerdict.NOT_MEASURED, 0)),
+                        List.of(),
+                        "bubblewrap",
+                        7);
+        CaseReport again = judged("gap", now, now == GradingVerdict.OK ? 3 : 0);
+        Report changed = former.withCase(again, stability);
+        assertEquals(new ScorePoints(accuracy, stable, 1, 10), changed.points());
+        assertEquals(whole, changed.verdict());
+        assertEquals(again, changed.cases().get(0));
+        assertEquals(former.cases().subList(1, 4), changed.cases().subList(1, 4));
+        assertEquals(7, changed.nanosPerItem());
+    }
+
+    @Test
+    void oneCaseThatIsRightAtLastMakesTheReportRight() {
+        Report former =
+                new Report(
+                        GradingVerdict.WRONG,
+                        new ScorePoints(0, 0, 0, 4),
+                        List.of(
+                                judged("gap", GradingVerdict.WRONG, 0),
+                                judged(CaseReport.SPEED, GradingVerdict.NOT_MEASURED, 0)),
+                        List.of(),
+                        "",
+                        0);
+        assertEquals(
+                GradingVerdict.OK,
+                former.withCase(judged("gap", GradingVerdict.OK, 3), false).verdict());
+        CaseReport other = judged("none", GradingVerdict.OK, 3);
+        assertThrows(IllegalArgumentException.class, () -> former.withCase(other, false));
+    }
+
+    private static CaseReport judged(String name, GradingVerdict verdict, int points) {
+        return new CaseReport(
+                name, Disclosure.OPEN, verdict, points, 3, Message.NONE, List.of(), "");
+    }
+
     @Test
     void whatDoesNotCountIsToldToItsStudentWithTheReason() {
         CaseReport line = CaseReport.withheld(3, "steep lines", "крутые отрезки");

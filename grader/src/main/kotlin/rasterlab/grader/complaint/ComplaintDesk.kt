@@ -68,8 +68,8 @@ class ComplaintDesk(
     /**
      * Accepts an open complaint or declines it.
      *
-     * @param regrade whether the submission is graded again, and the result of that counts; only for what is accepted, and
-     *     by an instructor
+     * @param regrade whether the case is graded again, and what comes of it counts; only for what is accepted, and by an
+     *     instructor
      * @throws Rejection.BadComplaint where it is settled already
      */
     fun answer(
@@ -85,7 +85,7 @@ class ComplaintDesk(
         val found = find(submission, id)
         if (found.state != ComplaintState.OPEN) throw Rejection.BadComplaint("settled")
         val course = courses.ofStudent(submission.student) ?: throw Rejection.UnknownStudent(submission.student)
-        val begun = if (regrade) gradeAgain(who, course, submission, id) else null
+        val begun = if (regrade) gradeAgain(who, course, submission, found) else null
         val state = if (accepted) ComplaintState.ACCEPTED else ComplaintState.DECLINED
         val action = if (accepted) "complaint-accept" else "complaint-decline"
         return database.write { handle ->
@@ -97,17 +97,21 @@ class ComplaintDesk(
         }
     }
 
-    /** Begins the regrade of that one submission, the same where it is asked for twice. */
+    /**
+     * Begins the regrade of that one case, the same where it is asked for twice. What is said of the speed, of hidden cases
+     * without a name, or of a case that the exercise has no more, cannot be replaced alone: there it is the whole result.
+     */
     private fun gradeAgain(
         who: Identity,
         course: Course,
         submission: Submission,
-        complaint: String,
+        complaint: CaseComplaint,
     ): String {
         val exercise = exercises.named(submission.exercise)
         val one = listOf(submission.id)
-        val key = "complaint $complaint"
-        val begun = regrades.start(course, exercise, RegradeChoice.SOME, one, dry = false, who.id, key)
+        val key = "complaint ${complaint.id}"
+        val case = exercise.cases().find { it.name() == complaint.case }
+        val begun = regrades.start(course, exercise, RegradeChoice.SOME, one, dry = false, who.id, key, case)
         ring(begun.id)
         return begun.id
     }

@@ -36,6 +36,7 @@ enum class RegradeState {
  * A regrade and how far it has come.
  *
  * @param revision of the exercise that all of it is graded against
+ * @param case name of the only case whose result it replaces; null where it replaces whole results
  * @param dry whether its results wait for a decision
  * @param done how many of the [total] submissions are graded
  * @param failed how many of these got no result by a fault of ours, and keep their earlier one
@@ -46,6 +47,7 @@ data class Regrade(
     val exercise: String,
     val revision: String,
     val choice: RegradeChoice,
+    val case: String?,
     val dry: Boolean,
     val state: RegradeState,
     val begunAt: Instant,
@@ -68,6 +70,7 @@ class Regrades(
      * @param dry whether nothing counts until it is accepted
      * @param by who does it, for the audit
      * @param key what the sender calls this request, so that repeating it begins no other one
+     * @param case the only one whose result is replaced, as [exercise] has it; null for whole results
      */
     fun start(
         course: Course,
@@ -77,15 +80,17 @@ class Regrades(
         dry: Boolean,
         by: String,
         key: String?,
+        case: Exercise.Case? = null,
     ): Regrade {
-        val asked = "${course.id} ${exercise.id()} ${choice.code} $dry ${some.sorted()}"
+        val only = case?.name().orEmpty()
+        val asked = "${course.id} ${exercise.id()} ${choice.code} $dry ${some.sorted()} $only".trimEnd()
         val request = Repeatable("regrade $by", key, asked)
         return database.write { handle ->
             val made =
                 request.made(handle) ?: run {
                     val chosen = choice.of(Gradable.all(handle, course, exercise.id()), some)
                     requireFree(handle, chosen)
-                    insert(handle, course, exercise, choice, dry, by).also { id ->
+                    insert(handle, course, exercise, choice, case, dry, by).also { id ->
                         chosen.forEachIndexed { index, one -> insert(handle, id, one, index + 1) }
                         note(handle, course.id, by, "regrade", id, "${exercise.id()} ${choice.code} ${chosen.size}")
                         request.remember(handle, id, clock.instant())
@@ -185,19 +190,23 @@ class Regrades(
         course: Course,
         exercise: Exercise,
         choice: RegradeChoice,
+        case: Exercise.Case?,
         dry: Boolean,
         by: String,
     ): String {
         val id = Secrets.newId()
         handle
             .createUpdate(
-                """INSERT INTO regrades (id, course_id, exercise, revision, choice, is_dry, state, account_id, begun_at)
-                   VALUES (:id, :course, :exercise, :revision, :choice, :dry, 'grading', :by, :now)""",
+                """INSERT INTO regrades (id, course_id, exercise, revision, choice, case_name, earns_stability, is_dry,
+                       state, account_id, begun_at)
+                   VALUES (:id, :course, :exercise, :revision, :choice, :case, :stability, :dry, 'grading', :by, :now)""",
             ).bind("id", id)
             .bind("course", course.id)
             .bind("exercise", exercise.id())
             .bind("revision", exercise.revision())
             .bind("choice", choice.code)
+            .bind("case", case?.name())
+            .bind("stability", case?.let { if (it.kind() == Exercise.Criterion.STABILITY) 1 else 0 })
             .bind("dry", if (dry) 1 else 0)
             .bind("by", by)
             .bind("now", clock.instant().text())
@@ -249,6 +258,7 @@ class Regrades(
             row.getString("exercise"),
             row.getString("revision"),
             RegradeChoice.entries.single { it.code == row.getString("choice") },
+            row.getString("case_name"),
             row.getInt("is_dry") == 1,
             RegradeState.entries.single { it.code == row.getString("state") },
             Instant.parse(row.getString("begun_at")),

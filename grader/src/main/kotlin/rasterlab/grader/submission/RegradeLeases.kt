@@ -1,6 +1,7 @@
 package rasterlab.grader.submission
 
 import org.jdbi.v3.core.Handle
+import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Report
 import rasterlab.grader.storage.Database
 import java.time.Duration
@@ -68,22 +69,17 @@ class RegradeLeases(
     ): Boolean {
         report.drawAll()
         return database.write { handle ->
-            val regrade =
-                handle
-                    .createQuery("SELECT regrade_id FROM regrade_items WHERE lease = :lease")
-                    .bind("lease", lease.token)
-                    .mapTo(String::class.java)
-                    .findOne()
-                    .getOrNull() ?: return@write false
+            val held = held(handle, lease) ?: return@write false
             val now = clock.instant()
             val submission = lease.submission.id
-            val result = reports.insert(handle, submission, revision, report, now, current = false)
+            val counts = held.case?.let { only(it, report, reports.of(handle, submission)) } ?: report
+            val result = reports.insert(handle, submission, revision, counts, now, current = false)
             handle
                 .createUpdate(
                     """UPDATE regrade_items SET state = 'done', lease = NULL, lease_until = NULL, result_id = :result
                        WHERE regrade_id = :regrade AND submission_id = :submission""",
                 ).bind("result", result)
-                .bind("regrade", regrade)
+                .bind("regrade", held.regrade)
                 .bind("submission", submission)
                 .execute()
             RegradedResults.settle(handle, now)
@@ -91,11 +87,48 @@ class RegradeLeases(
         }
     }
 
+    private fun held(
+        handle: Handle,
+        lease: Lease,
+    ): Held? =
+        handle
+            .createQuery(
+                """SELECT regrades.id, case_name, earns_stability
+                   FROM regrade_items JOIN regrades ON regrades.id = regrade_id WHERE lease = :lease""",
+            ).bind("lease", lease.token)
+            .map { row, _ ->
+                val case = row.getString("case_name")?.let { OneCase(it, row.getInt("earns_stability") == 1) }
+                Held(row.getString("id"), case)
+            }.findOne()
+            .getOrNull()
+
+    /** The [former] report with [case] as [again] has it, and as it was where that says nothing of the case. */
+    private fun only(
+        case: OneCase,
+        again: Report,
+        former: Report?,
+    ): Report? {
+        if (again.verdict() == GradingVerdict.INTERNAL) return null
+        val judged = again.cases().find { it.name() == case.name }
+        val isThere = former?.cases().orEmpty().any { it.name() == case.name }
+        return if (judged != null && isThere) former?.withCase(judged, case.stability) else former
+    }
+
     /** Puts back what nobody grades any more, and ends what has nothing left to grade, as where a student was deleted. */
     override fun releaseExpired() {
         super.releaseExpired()
         database.write { RegradedResults.settle(it, clock.instant()) }
     }
+
+    private class OneCase(
+        val name: String,
+        val stability: Boolean,
+    )
+
+    private class Held(
+        val regrade: String,
+        val case: OneCase?,
+    )
 
     private class Next(
         val regrade: String,

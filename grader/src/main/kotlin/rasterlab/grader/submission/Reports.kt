@@ -40,39 +40,49 @@ class Reports(
     /** The report of a result by its id, with nothing hidden, or null. */
     fun at(result: String): Recorded? = recorded("id = :id", result)
 
+    /** The current report of a submission, in the transaction of [handle]. */
+    fun of(
+        handle: Handle,
+        submission: String,
+    ): Report? = recorded(handle, "submission_id = :id AND is_current = 1", submission)?.report
+
     private fun recorded(
         condition: String,
         id: String,
+    ): Recorded? = database.read { recorded(it, condition, id) }
+
+    private fun recorded(
+        handle: Handle,
+        condition: String,
+        id: String,
     ): Recorded? =
-        database.read { handle ->
-            handle
-                .createQuery("SELECT * FROM results WHERE $condition")
-                .bind("id", id)
-                .map { row, _ ->
-                    val result = row.getString("id")
-                    val points =
-                        ScorePoints(
-                            row.getInt("accuracy"),
-                            row.getInt("stability"),
-                            row.getInt("speed"),
-                            row.getInt("points_of"),
-                        )
-                    Recorded(
-                        Report(
-                            GradingVerdict.valueOf(row.getString("verdict").uppercase()),
-                            points,
-                            cases(handle, result),
-                            diagnostics(handle, result),
-                            row.getString("isolation"),
-                            row.getDouble("nanos_per_item"),
-                            Optional.ofNullable(SpeedRows(handle, result).of(row)),
-                        ),
-                        row.getString("revision"),
-                        Instant.parse(row.getString("graded_at")),
+        handle
+            .createQuery("SELECT * FROM results WHERE $condition")
+            .bind("id", id)
+            .map { row, _ ->
+                val result = row.getString("id")
+                val points =
+                    ScorePoints(
+                        row.getInt("accuracy"),
+                        row.getInt("stability"),
+                        row.getInt("speed"),
+                        row.getInt("points_of"),
                     )
-                }.findOne()
-                .getOrNull()
-        }
+                Recorded(
+                    Report(
+                        GradingVerdict.valueOf(row.getString("verdict").uppercase()),
+                        points,
+                        cases(handle, result),
+                        diagnostics(handle, result),
+                        row.getString("isolation"),
+                        row.getDouble("nanos_per_item"),
+                        Optional.ofNullable(SpeedRows(handle, result).of(row)),
+                    ),
+                    row.getString("revision"),
+                    Instant.parse(row.getString("graded_at")),
+                )
+            }.findOne()
+            .getOrNull()
 
     /**
      * Writes a report in the transaction of [handle].

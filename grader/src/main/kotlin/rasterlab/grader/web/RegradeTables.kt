@@ -99,7 +99,12 @@ internal fun FlowContent.regradeTable(
                 regrades.forEach { one ->
                     tr {
                         td { a(regradeAddress(one)) { +"${one.begunAt.forPeople()} UTC" } }
-                        td { +texts.say("regrade.of.${one.choice.code}") }
+                        td {
+                            +(
+                                one.case?.let { texts.say("regrade.case", it) }
+                                    ?: texts.say("regrade.of.${one.choice.code}")
+                            )
+                        }
                         td { +texts.say("regrade.state.${one.state.code}") }
                         td("number") { +texts.say("regrade.progress", one.done, one.total) }
                     }
@@ -133,7 +138,9 @@ internal fun DIV.regrade(
 ) {
     section("card") {
         p("total") { +texts.say("regrade.state.${regrade.state.code}") }
-        val choice = texts.say("regrade.of.${regrade.choice.code}")
+        val choice =
+            regrade.case?.let { texts.say("regrade.case", exercise?.caseTitle(it, texts.language) ?: it) }
+                ?: texts.say("regrade.of.${regrade.choice.code}")
         p { +texts.say("regrade.stand", choice, regrade.revision, regrade.done, regrade.total) }
         if (regrade.failed > 0) p { +texts.say("regrade.failed", regrade.failed) }
         p { +texts.say(if (regrade.dry) "regrade.next.${regrade.state.code}" else "regrade.wet.${regrade.state.code}") }

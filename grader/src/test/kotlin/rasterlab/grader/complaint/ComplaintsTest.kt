@@ -18,7 +18,11 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
+import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.Report
 import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
@@ -106,13 +110,12 @@ class ComplaintsTest {
         }
 
     @Test
-    @DisplayName("an accepted complaint grades nothing again, more than its submission, or an assistant begins that")
+    @DisplayName("an accepted complaint grades nothing again, more than its case, or an assistant begins that")
     fun whatIsAcceptedIsGradedAgain() {
         val times = AtomicInteger()
         val grading =
             Grading { _, source, _, _ ->
-                val points = if ("mine" in source && times.getAndIncrement() > 0) 9 else 4
-                Classroom.report(GradingVerdict.WRONG, ScorePoints(points, 0, 0, 10))
+                if ("mine" in source && times.getAndIncrement() > 0) allRight() else Classroom.wrongReport()
             }
         Classroom(folder, grading = grading).open {
             val course = newCourse()
@@ -125,17 +128,25 @@ class ComplaintsTest {
             val answered = answer(id, complaint, AGAIN, instructor).json()
             look(instructor, "/api/v1/regrades/${answered.text("regrade")}/events").bodyAsText()
             assertEquals(listOf("accepted Yes."), read(id, student))
-            val points =
-                look(student, "/api/v1/submissions/$id")
-                    .json()
-                    .getValue("points")
-                    .jsonObject
-                    .text("total")
-            assertEquals("9", points)
+            val result = look(student, "/api/v1/submissions/$id").json()
+            assertEquals("7", result.getValue("points").jsonObject.text("total"))
+            assertEquals(
+                listOf("OK 5", "WRONG 2"),
+                result.list("cases").map {
+                    "${it.field("verdict")} ${it.field("points")}".uppercase()
+                },
+            )
             assertEquals("1", one("SELECT count(*) FROM regrade_items"))
+            assertEquals(
+                "open-case",
+                look(
+                    instructor,
+                    "/api/v1/regrades/${answered.text("regrade")}",
+                ).json().getValue("regrade").field("case"),
+            )
             assertEquals("accepted", all(id, student).single().field("regradeState"))
             assertEquals("false", all(id, student).single().field("current"))
-            assertEquals(201, complain(id, CASE, student).status.value)
+            assertEquals(201, complain(id, CASE.replace("open-case", "hidden-case"), student).status.value)
         }
     }
 
@@ -173,13 +184,22 @@ class ComplaintsTest {
             assertTrue("No complaint waits." in show(list, instructor))
         }
 
+    /** Both cases are right, so that a look at what counts tells how many were graded again. */
+    private fun allRight(): Report {
+        val cases =
+            listOf("open-case" to Disclosure.OPEN, "hidden-case" to Disclosure.VERDICT_ONLY).map { (name, visibility) ->
+                CaseReport(name, visibility, GradingVerdict.OK, 5, 5, Message.NONE, emptyList(), "")
+            }
+        return Report(GradingVerdict.OK, ScorePoints(5, 5, 0, 10), cases, emptyList(), Report.BUBBLEWRAP, 0.0)
+    }
+
     private fun halfRight() =
         Grading { _, _, _, _ ->
             val report = Classroom.wrongReport()
             val cases =
                 listOf(GradingVerdict.WRONG, GradingVerdict.OK).zip(report.cases()).map { (verdict, case) ->
                     val right = verdict == GradingVerdict.OK
-                    rasterlab.exercises.score.CaseReport(
+                    CaseReport(
                         if (right) "right-case" else case.name(),
                         case.visibility(),
                         verdict,
@@ -190,7 +210,7 @@ class ComplaintsTest {
                         "",
                     )
                 }
-            rasterlab.exercises.score.Report(
+            Report(
                 report.verdict(),
                 report.points(),
                 cases,

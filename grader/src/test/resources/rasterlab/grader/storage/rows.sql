@@ -114,3 +114,6 @@ UPDATE submissions SET begins_turns = 1 WHERE id IN ('s', 'u');
 -- since 30
 INSERT INTO instructors (id, token_hash, created_at, name, role, course_id)
 VALUES ('j', 'hash of j', '2026-03-09T08:00:00.000Z', 'Jo', 'instructor', 'c');
+-- since 31
+INSERT INTO regrades (id, course_id, exercise, revision, choice, is_dry, state, account_id, begun_at, case_name, earns_stability)
+VALUES ('f', 'c', 'draw-dot', 'r1', 'some', 0, 'grading', 'i', '2026-03-10T08:00:00.000Z', 'steep', 1);
