@@ -104,6 +104,7 @@ import rasterlab.grader.submission.SharedMoves
 import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.SteadyClock
 import rasterlab.grader.submission.Submissions
+import rasterlab.grader.submission.courseSubmissions
 import rasterlab.grader.submission.submissions
 import rasterlab.grader.trial.StaffCopies
 import rasterlab.grader.trial.TrialDesk
@@ -364,6 +365,7 @@ class Server(
                 efforts(courses, exercises, efforts)
                 fronts(courses, exercises, front)
                 submissions(exercises, intake, queue, choices)
+                courseSubmissions(courses, exercises, submissions)
                 adjustments(submissions, adjustments)
                 exams(courses, exercises, exams, sittings)
                 comments(submissions, comments)

@@ -5,10 +5,10 @@ import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.respondJson
-import rasterlab.grader.rules.course
 import rasterlab.grader.storage.text
 
 @Serializable

@@ -15,6 +15,7 @@ import rasterlab.exercises.Exercise
 import rasterlab.grader.comment.CommentText
 import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.identity
 import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
@@ -22,7 +23,6 @@ import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
-import rasterlab.grader.rules.course
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Submissions
 

@@ -9,13 +9,13 @@ import rasterlab.engine.Topics
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.score.SpeedPoints
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
-import rasterlab.grader.rules.course
 import rasterlab.grader.similarity.written
 import java.math.BigDecimal
 import java.math.MathContext

@@ -13,13 +13,13 @@ import rasterlab.exercises.json.JsonFields
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
+import rasterlab.grader.course.course
 import rasterlab.grader.course.identity
 import rasterlab.grader.course.staff
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
-import rasterlab.grader.rules.course
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Submissions
 

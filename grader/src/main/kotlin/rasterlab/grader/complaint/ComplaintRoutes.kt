@@ -9,6 +9,7 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.grader.comment.CommentText
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.identity
 import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
@@ -16,7 +17,6 @@ import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
-import rasterlab.grader.rules.course
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Submissions
 

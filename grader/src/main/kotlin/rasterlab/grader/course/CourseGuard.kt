@@ -1,9 +1,11 @@
 package rasterlab.grader.course
 
+import io.ktor.http.HttpMethod
 import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.call
+import io.ktor.server.request.httpMethod
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import kotlin.jvm.optionals.getOrNull
@@ -22,16 +24,17 @@ class CourseGuard(
         val parts = call.addressParts()
         if (parts.firstOrNull() in FREE) return
         for (who in accounts.callers(call).filterIsInstance<Identity.StaffIdentity>()) {
-            who.onlyCourse?.let { requireOpen(it, parts) }
+            who.onlyCourse?.let { requireOpen(it, call.request.httpMethod, parts) }
         }
     }
 
     private fun requireOpen(
         course: String,
+        method: HttpMethod,
         parts: List<String>,
     ) {
         val place = if (parts.take(API.size) == API) parts.drop(API.size) else parts
-        if (isForAll(place)) return
+        if (isForAll(place) || (method == HttpMethod.Get && place == COURSES)) return
         val within = if (place.first() == DESK) place.drop(1) else place
         val known = KINDS[within.firstOrNull()]
         val id = within.getOrNull(1)
@@ -78,6 +81,9 @@ class CourseGuard(
                 listOf(DESK, "view", "end"),
                 listOf("join"),
             )
+
+        /** The address that lists to each of the staff the courses that they teach, and makes new ones. */
+        val COURSES = listOf("courses")
 
         /** Parts of an exercise's addresses that show the work of all courses. */
         val ACROSS = setOf("similarity", "programs.zip")

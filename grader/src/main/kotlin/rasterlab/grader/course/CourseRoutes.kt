@@ -1,22 +1,42 @@
 package rasterlab.grader.course
 
 import io.ktor.http.HttpStatusCode.Companion.Created
+import io.ktor.server.application.ApplicationCall
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.delete
 import io.ktor.server.routing.get
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.linkNext
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.storage.text
 
 @Serializable
 private data class CourseAnswer(
     val course: String,
     val code: String,
+)
+
+@Serializable
+private data class CourseOverviewAnswer(
+    val course: String,
+    val code: String,
+    val name: String,
+    val madeAt: String,
+    val students: Int,
+)
+
+@Serializable
+private data class CoursesAnswer(
+    val courses: List<CourseOverviewAnswer>,
+    val next: String?,
 )
 
 @Serializable
@@ -31,12 +51,15 @@ private data class RevokedAnswer(
     val revokedAt: String,
 )
 
+/** A student as staff are told; the number of the institution and the address are for those who may take data away. */
 @Serializable
 private data class StudentAnswer(
     val student: String,
     val number: Int,
     val name: String,
     val shownName: String,
+    val idNumber: String?,
+    val email: String?,
     val joinedAt: String,
 )
 
@@ -51,11 +74,26 @@ fun Route.courses(
         val course = courses.create(instructor.id, Name.of(name), call.idempotencyKey())
         call.respondJson(CourseAnswer(course.id, course.code), Created)
     }
-    get("/courses/{course}/students") {
+    get("/courses") {
+        val part = call.paging().of(courses.overviews(call.staff())) { it.course.id }
+        call.linkNext(part)
+        call.respondJson(CoursesAnswer(part.items.map(::answer), part.next))
+    }
+    get("/courses/{course}") {
         call.staff()
-        val course = call.parameters.getOrFail("course")
-        val students = courses.students(course) ?: throw Rejection.UnknownCourse(course)
-        call.respondJson(students.map { StudentAnswer(it.id, it.number, it.name, it.shownName, it.joinedAt.text()) })
+        val course = call.course(courses)
+        call.respondJson(answer(courses.overview(course.id) ?: throw Rejection.UnknownCourse(course.id)))
+    }
+    get("/courses/{course}/students") {
+        val who = call.staff()
+        val course = call.course(courses)
+        val part = call.paging(usual = Paging.WHOLE).of(courses.students(course.id).orEmpty()) { it.id }
+        call.respondPart(part.map { answer(it, who) })
+    }
+    get("/courses/{course}/students/{student}") {
+        val who = call.staff()
+        val course = call.course(courses)
+        call.respondJson(answer(courses.student(course.id, call.parameters.getOrFail("student")), who))
     }
     post("/students/{student}/token") {
         val instructor = call.instructor()
@@ -70,6 +108,31 @@ fun Route.courses(
         val student = call.parameters.getOrFail("student")
         call.respondJson(RevokedAnswer(student, accounts.revokeStudent(student, instructor.id).text()))
     }
+}
+
+/** The course that the address names by its id or its code. */
+internal fun ApplicationCall.course(courses: Courses): Course {
+    val told = parameters.getOrFail("course")
+    return courses.find(told) ?: throw Rejection.UnknownCourse(told)
+}
+
+private fun answer(one: CourseOverview) =
+    CourseOverviewAnswer(one.course.id, one.course.code, one.course.name, one.madeAt.text(), one.students)
+
+private fun answer(
+    one: Enrolled,
+    who: Identity.StaffIdentity,
+): StudentAnswer {
+    val known = if (who is Identity.Instructor) one.fields else emptyMap()
+    return StudentAnswer(
+        one.id,
+        one.number,
+        one.name,
+        one.shownName,
+        known.idNumber,
+        known.email,
+        one.joinedAt.text(),
+    )
 }
 
 /**

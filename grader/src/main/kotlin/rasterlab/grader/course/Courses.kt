@@ -19,6 +19,17 @@ data class Course(
     val code: String,
 )
 
+/**
+ * A course as staff see it in a list.
+ *
+ * @param students how many are in it
+ */
+data class CourseOverview(
+    val course: Course,
+    val madeAt: Instant,
+    val students: Int,
+)
+
 /** @param token shown this once */
 data class NewStudent(
     val id: String,
@@ -30,6 +41,7 @@ data class NewStudent(
  *
  * @param number from 1 in the order of joining; it stays theirs
  * @param shownName the name, or where another has it the name with the number
+ * @param fields what rosters said besides the name, by [RosterColumn.kind]
  */
 data class Enrolled(
     val id: String,
@@ -37,6 +49,7 @@ data class Enrolled(
     val name: String,
     val shownName: String,
     val joinedAt: Instant,
+    val fields: Map<String, String>,
 )
 
 /** Courses and who is in them. */
@@ -69,6 +82,14 @@ class Courses(
 
     /** The courses that somebody teaches. */
     fun of(who: Identity.StaffIdentity): List<Course> = all().filter { who.teaches(it.id) }
+
+    /** Looks at the courses that somebody teaches, the latest first. */
+    fun overviews(who: Identity.StaffIdentity): List<CourseOverview> =
+        database.read { overviews(it, "") }.filter { who.teaches(it.course.id) }
+
+    /** Looks at the course of that id; null where there is none. */
+    fun overview(course: String): CourseOverview? =
+        database.read { overviews(it, "WHERE id = :course", "course" to course) }.singleOrNull()
 
     /**
      * A new student of the course with this code.
@@ -105,6 +126,15 @@ class Courses(
             enrolled(handle, course)
         }
 
+    /** @throws Rejection.UnknownStudent where the course has none of that id */
+    fun student(
+        course: String,
+        id: String,
+    ): Enrolled =
+        database.read { handle ->
+            enrolled(handle, course, "AND id = :id", "id" to id).singleOrNull() ?: throw Rejection.UnknownStudent(id)
+        }
+
     /** The course with that id or that code, or null. */
     fun find(idOrCode: String): Course? = database.read { find(it, idOrCode) }
 
@@ -114,9 +144,6 @@ class Courses(
             val query = select(handle, "WHERE id = (SELECT course_id FROM students WHERE id = :student)")
             rows(query.bind("student", student)).findOne().getOrNull()
         }
-
-    /** Reads what rosters said of each student of a course, by the student's id. */
-    fun rosterFields(course: String): Map<String, Map<String, String>> = database.read { rosterFields(it, course) }
 
     internal companion object {
         /** 40 bits, and guesses are counted. */
@@ -161,19 +188,43 @@ class Courses(
             condition: String,
         ): Query = handle.createQuery("SELECT id, name, code FROM courses $condition ORDER BY created_at DESC")
 
+        private fun overviews(
+            handle: Handle,
+            condition: String,
+            vararg values: Pair<String, String>,
+        ): List<CourseOverview> =
+            handle
+                .createQuery(
+                    """SELECT id, name, code, created_at,
+                           (SELECT count(*) FROM students WHERE course_id = courses.id) AS enrolled
+                       FROM courses $condition ORDER BY created_at DESC, id""",
+                ).bindMap(values.toMap())
+                .map { row, _ ->
+                    val course = Course(row.getString("id"), row.getString("name"), row.getString("code"))
+                    CourseOverview(course, Instant.parse(row.getString("created_at")), row.getInt("enrolled"))
+                }.list()
+
         private fun rows(query: Query) =
             query.map { row, _ -> Course(row.getString("id"), row.getString("name"), row.getString("code")) }
 
-        /** The students of a course in the order of their names. */
+        /**
+         * The students of a course in the order of their names.
+         *
+         * @param condition which of them, with the names of [values] in it
+         */
         fun enrolled(
             handle: Handle,
             course: String,
-        ): List<Enrolled> =
-            handle
+            condition: String = "",
+            vararg values: Pair<String, String>,
+        ): List<Enrolled> {
+            val fields = rosterFields(handle, course)
+            return handle
                 .createQuery(
                     """SELECT id, number, name, shown_name, joined_at FROM students
-                       WHERE course_id = :course ORDER BY name, number""",
+                       WHERE course_id = :course $condition ORDER BY name, number""",
                 ).bind("course", course)
+                .bindMap(values.toMap())
                 .map { row, _ ->
                     Enrolled(
                         row.getString("id"),
@@ -181,11 +232,13 @@ class Courses(
                         row.getString("name"),
                         row.getString("shown_name"),
                         Instant.parse(row.getString("joined_at")),
+                        fields[row.getString("id")].orEmpty(),
                     )
                 }.list()
+        }
 
         /** Reads what rosters said of each student of a course, by the student's id. */
-        fun rosterFields(
+        private fun rosterFields(
             handle: Handle,
             course: String,
         ): Map<String, Map<String, String>> =

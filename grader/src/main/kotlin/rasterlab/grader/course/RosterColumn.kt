@@ -34,3 +34,9 @@ internal enum class RosterColumn(
         fun headed(heading: String): RosterColumn? = entries.firstOrNull { heading.trim().lowercase() in it.headings }
     }
 }
+
+/** The number that the institution gave the student of whom a roster said this; null where none did. */
+internal val Map<String, String>.idNumber: String? get() = get(RosterColumn.ID_NUMBER.kind)
+
+/** The e-mail address of the student of whom a roster said this; null where none did. */
+internal val Map<String, String>.email: String? get() = get(RosterColumn.EMAIL.kind)

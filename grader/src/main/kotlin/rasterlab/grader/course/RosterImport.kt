@@ -6,11 +6,17 @@ import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Secrets
 import java.time.InstantSource
 
-/** @param token that lets the student in, told this once; null in a preview */
+/**
+ * A student whom a roster brings.
+ *
+ * @param token that lets the student in, told this once; null in a preview
+ * @param known what the roster says besides the name, by [RosterColumn.kind]
+ */
 data class RosterAddition(
     val student: String?,
     val name: String,
     val token: String?,
+    val known: Map<String, String>,
 )
 
 /**
@@ -24,12 +30,17 @@ data class FieldChange(
     val to: String,
 )
 
-/** A student of whom the roster says something new, from one name to another or the same. */
+/**
+ * A student of whom the roster says something new, from one name to another or the same.
+ *
+ * @param known all that is known then besides the name, by [RosterColumn.kind]
+ */
 data class RosterCorrection(
     val student: String,
     val from: String,
     val to: String,
     val changes: List<FieldChange>,
+    val known: Map<String, String>,
 )
 
 /**
@@ -84,10 +95,9 @@ class RosterImport(
         table: RosterTable,
     ): Plan {
         val students = Courses.enrolled(handle, course.id)
-        val fields = Courses.rosterFields(handle, course.id)
         val byKey =
             students
-                .flatMap { student -> fields[student.id].orEmpty().map { (it.key to it.value.lowercase()) to student } }
+                .flatMap { student -> student.fields.map { (it.key to it.value.lowercase()) to student } }
                 .toMap()
         val named = students.groupBy { it.name }
         val matches = LinkedHashMap<RosterRow, Enrolled>()
@@ -95,21 +105,20 @@ class RosterImport(
         for (row in table.rows) {
             val found =
                 row.keys.firstNotNullOfOrNull { byKey[it.first to it.second.lowercase()] }
-                    ?: byName(row, named[row.name.text].orEmpty(), fields)
+                    ?: byName(row, named[row.name.text].orEmpty())
                     ?: continue
             taken.put(found.id, row)?.let { throw Rejection.BadRoster("both", it.line, row.line, found.shownName) }
             matches[row] = found
         }
-        return Plan(table, students, matches, fields, students.filter { it.id !in taken })
+        return Plan(table, students, matches, students.filter { it.id !in taken })
     }
 
     /** The student of that name, unless a roster said before that this is somebody else. */
     private fun byName(
         row: RosterRow,
         candidates: List<Enrolled>,
-        fields: Map<String, Map<String, String>>,
     ): Enrolled? {
-        val possible = candidates.filter { one -> row.keys.none { (kind, _) -> kind in fields[one.id].orEmpty() } }
+        val possible = candidates.filter { one -> row.keys.none { (kind, _) -> kind in one.fields } }
         if (possible.size > 1) throw Rejection.BadRoster("ambiguous", row.line, row.name.text)
         return possible.singleOrNull()
     }
@@ -118,7 +127,6 @@ class RosterImport(
         val table: RosterTable,
         val students: List<Enrolled>,
         val matches: Map<RosterRow, Enrolled>,
-        val fields: Map<String, Map<String, String>>,
         val missing: List<Enrolled>,
     ) {
         /** @param rows what writes it, or null for a preview */
@@ -133,25 +141,25 @@ class RosterImport(
             student: Enrolled,
             rows: RosterRows?,
         ): RosterCorrection? {
-            val before = fields[student.id].orEmpty()
+            val before = student.fields
             val news = row.fields.filter { (kind, value) -> before[kind] != value }
             val renamed = row.name.text != student.name
             if (news.isEmpty() && !renamed) return null
             if (renamed) rows?.rename(student, row.name)
             rows?.note(student.id, news)
             val changes = news.map { (kind, value) -> FieldChange(kind, before[kind], value) }
-            return RosterCorrection(student.id, student.name, row.name.text, changes)
+            return RosterCorrection(student.id, student.name, row.name.text, changes, before + news)
         }
 
         private fun addition(
             row: RosterRow,
             rows: RosterRows?,
         ): RosterAddition {
-            if (rows == null) return RosterAddition(null, row.name.text, null)
+            if (rows == null) return RosterAddition(null, row.name.text, null, row.fields)
             val token = Secrets.newToken()
             val student = rows.add(row.name, token)
             rows.note(student, row.fields)
-            return RosterAddition(student, row.name.text, token)
+            return RosterAddition(student, row.name.text, token, row.fields)
         }
     }
 }

@@ -3,9 +3,7 @@ package rasterlab.grader.course
 import io.ktor.http.ContentType
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.post
-import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
-import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.bodyType
 import rasterlab.grader.problem.flag
 import rasterlab.grader.problem.receiveAtMost
@@ -18,6 +16,8 @@ internal const val ROSTER_BYTES = 1 shl 20
 private data class AddedAnswer(
     val student: String?,
     val name: String,
+    val idNumber: String?,
+    val email: String?,
     val token: String?,
 )
 
@@ -33,6 +33,8 @@ private data class CorrectedAnswer(
     val student: String,
     val from: String,
     val to: String,
+    val idNumber: String?,
+    val email: String?,
     val fields: List<String>,
     val changes: List<ChangeAnswer>,
 )
@@ -41,6 +43,8 @@ private data class CorrectedAnswer(
 private data class MissingAnswer(
     val student: String,
     val name: String,
+    val idNumber: String?,
+    val email: String?,
 )
 
 @Serializable
@@ -59,28 +63,31 @@ fun Route.roster(
     roster: RosterImport,
 ) = post("/courses/{course}/roster") {
     val instructor = call.instructor()
-    val id = call.parameters.getOrFail("course")
     val dry = call.flag("dry")
     call.bodyType(ContentType.Text.CSV)
-    val course = courses.find(id) ?: throw Rejection.UnknownCourse(id)
-    val change = roster.apply(course, call.receiveAtMost(ROSTER_BYTES), dry, instructor.id)
+    val change = roster.apply(call.course(courses), call.receiveAtMost(ROSTER_BYTES), dry, instructor.id)
     call.respondJson(
         RosterAnswer(
             dry,
-            change.added.map { AddedAnswer(it.student, it.name, it.token) },
+            change.added.map(::added),
             change.corrected.map(::corrected),
             change.unchanged,
-            change.missing.map { MissingAnswer(it.id, it.shownName) },
+            change.missing.map { MissingAnswer(it.id, it.shownName, it.fields.idNumber, it.fields.email) },
             change.unused,
         ),
     )
 }
+
+private fun added(one: RosterAddition) =
+    AddedAnswer(one.student, one.name, one.known.idNumber, one.known.email, one.token)
 
 private fun corrected(one: RosterCorrection) =
     CorrectedAnswer(
         one.student,
         one.from,
         one.to,
+        one.known.idNumber,
+        one.known.email,
         one.changes.map { it.field },
         one.changes.map { ChangeAnswer(it.field, it.from, it.to) },
     )

@@ -16,6 +16,7 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.json.JsonFields
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
@@ -23,7 +24,6 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
-import rasterlab.grader.rules.course
 import rasterlab.grader.rules.named
 import rasterlab.grader.storage.text
 import java.time.Instant

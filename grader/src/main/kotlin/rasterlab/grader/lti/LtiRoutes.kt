@@ -9,11 +9,11 @@ import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
-import rasterlab.grader.rules.course
 import rasterlab.grader.storage.text
 
 @Serializable

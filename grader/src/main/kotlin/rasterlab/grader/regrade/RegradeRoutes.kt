@@ -12,6 +12,7 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import rasterlab.exercises.json.JsonFields
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
@@ -21,7 +22,6 @@ import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.report.onEachChange
 import rasterlab.grader.report.respondEvents
-import rasterlab.grader.rules.course
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Live

@@ -31,12 +31,11 @@ class Grades(
         language: String,
     ): String {
         val id = courses.find(course)?.id ?: throw Rejection.UnknownCourse(course)
-        val fields = courses.rosterFields(id)
         val points = marks.of(id)
         val graded = chosen.graded(id).toSet()
         val lines =
             courses.students(id).orEmpty().map {
-                GradesLine(it, fields[it.id].orEmpty(), points[it.id].orEmpty().filterKeys(graded::contains))
+                GradesLine(it, it.fields, points[it.id].orEmpty().filterKeys(graded::contains))
             }
         return GradesFile(exercises.all.filter { it.id() in graded }, language).write(reader, lines)
     }

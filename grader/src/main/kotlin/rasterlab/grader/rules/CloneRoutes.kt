@@ -6,6 +6,7 @@ import io.ktor.server.routing.post
 import kotlinx.serialization.Serializable
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Name
+import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson

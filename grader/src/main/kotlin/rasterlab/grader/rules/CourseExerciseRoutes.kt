@@ -4,6 +4,7 @@ import io.ktor.server.routing.Route
 import io.ktor.server.routing.put
 import kotlinx.serialization.Serializable
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson

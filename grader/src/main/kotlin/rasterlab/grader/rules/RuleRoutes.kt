@@ -1,6 +1,5 @@
 package rasterlab.grader.rules
 
-import io.ktor.server.application.ApplicationCall
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.routing.patch
@@ -8,11 +7,10 @@ import io.ktor.server.routing.put
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.json.JsonFields
-import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
-import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.storage.text
@@ -109,12 +107,6 @@ private fun told(body: JsonFields): Map<RuleField, String> =
         val node = body.tree().get(field.code)
         if (node.isNull) "" else node.asText(node.toString())
     }
-
-/** The course that the address names by its id or its code. */
-internal fun ApplicationCall.course(courses: Courses): Course {
-    val told = parameters.getOrFail("course")
-    return courses.find(told) ?: throw Rejection.UnknownCourse(told)
-}
 
 private fun answer(
     exercise: String,

@@ -11,12 +11,12 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
-import rasterlab.grader.rules.course
 import rasterlab.grader.storage.text
 
 @Serializable

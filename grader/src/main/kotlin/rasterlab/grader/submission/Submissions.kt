@@ -3,6 +3,8 @@ package rasterlab.grader.submission
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.StudentStanding
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.Database
@@ -158,9 +160,38 @@ class Submissions(
                 .toMap()
         }
 
+    /**
+     * Lists those of a course, the latest first.
+     *
+     * @param exercise the only one that is asked for; null for all
+     * @param student the only one who is asked for; null for all
+     */
+    fun ofCourse(
+        course: String,
+        exercise: String?,
+        student: String?,
+        paging: Paging,
+    ): ListPart<Listed> {
+        val last =
+            paging.after?.let { id ->
+                find(id)?.takeIf { courseOf(it.student) == course }
+                    ?: throw paging.unknown()
+            }
+        val asked =
+            listOfNotNull(
+                Triple("students.course_id = :course", "course", course),
+                exercise?.let { Triple("s.exercise = :exercise", "exercise", it) },
+                student?.let { Triple("s.student_id = :student", "student", it) },
+                last?.let { Triple("s.sequence < (SELECT sequence FROM submissions WHERE id = :last)", "last", it.id) },
+            )
+        val condition = asked.joinToString(" AND ", prefix = "WHERE ") { it.first }
+        return paging.cut(list(condition, asked.associate { it.second to it.third }, paging.reach)) { it.submission.id }
+    }
+
     private fun list(
         condition: String,
         bindings: Map<String, Any>,
+        most: Int = LISTED,
     ) = database.read { handle ->
         handle
             .createQuery(
@@ -176,8 +207,9 @@ class Submissions(
                        ON rules.course_id = students.course_id AND rules.exercise = s.exercise
                    LEFT JOIN extensions ON extensions.student_id = s.student_id AND extensions.exercise = s.exercise
                    LEFT JOIN results r ON r.submission_id = s.id AND r.is_current = 1
-                   $condition ORDER BY s.sequence DESC LIMIT $LISTED""",
+                   $condition ORDER BY s.sequence DESC LIMIT :most""",
             ).bindMap(bindings)
+            .bind("most", most)
             .map { row, _ ->
                 val verdict = row.getString("verdict")
                 val graded = verdict != null

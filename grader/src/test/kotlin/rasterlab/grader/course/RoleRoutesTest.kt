@@ -264,12 +264,14 @@ class RoleRoutesTest {
         const val UNENDING = "/instructor/events"
 
         /** The addresses that show each of the staff what is theirs. */
-        val OWN = setOf("/instructor", "/instructor/latest", UNENDING, "/exercises", "/api/v1/exercises")
+        val OWN =
+            setOf("/instructor", "/instructor/latest", UNENDING, "/exercises", "/api/v1/exercises", "/api/v1/courses")
 
         /** The addresses that are for everybody, or show each what is theirs. */
         val OF_NO_COURSE =
             Regex(
-                """[A-Z]+ (/|/(sign|lti)[-/].*|/join|/api/v1/join|/assets/.*|/(healthz|readyz|metrics|openapi.json)""" +
+                """GET /api/v1/courses|[A-Z]+ (/|/(sign|lti)[-/].*|/join|/api/v1/join|/assets/.*""" +
+                    """|/(healthz|readyz|metrics|openapi.json)""" +
                     """|(/api/v1)?/exercises|(/api/v1)?/exercises/.exercise.(/(starter|statement|pictures/.name.))?""" +
                     """|/instructor(/(latest|events|view/end))?)""",
             )
