@@ -126,8 +126,8 @@ private fun programOf(words: CommandWords): CommandLine =
                 .addSubcommand(CourseCreateCommand())
                 .addSubcommand(CourseRosterCommand(words))
                 .addSubcommand(CourseExercisesCommand(words))
-                .addSubcommand(CourseRulesCommand())
-                .addSubcommand(CourseExtendCommand())
+                .addSubcommand(CourseRulesCommand(words))
+                .addSubcommand(CourseExtendCommand(words))
                 .addSubcommand(CourseCloneCommand())
                 .addSubcommand(CourseGradesCommand())
                 .addSubcommand(ServerHelpCommand(words)),

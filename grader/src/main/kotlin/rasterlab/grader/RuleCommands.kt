@@ -13,6 +13,7 @@ import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseExercises
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.ExerciseRules
+import rasterlab.grader.rules.RepeatedHour
 import rasterlab.grader.rules.RuleChange
 import rasterlab.grader.rules.RuleField
 import rasterlab.grader.rules.named
@@ -52,7 +53,9 @@ internal class ExerciseOptions {
         "A time is a moment with its offset, or one of the zone; an empty value takes a rule away.",
     ],
 )
-internal class CourseRulesCommand : Callable<Int> {
+internal class CourseRulesCommand(
+    private val words: CommandWords,
+) : Callable<Int> {
     @Spec
     lateinit var spec: CommandSpec
 
@@ -121,6 +124,7 @@ internal class CourseRulesCommand : Callable<Int> {
             val rules = CourseRules(database, InstantSource.system())
             val after = rules.change(course, exercise.known(), RuleChange(told()), by = "command")
             print(after)
+            RepeatedHour.among(after).forEach { spec.commandLine().err.println(it.said(words.language)) }
             for (one in rules.extensions(course).filter { it.exercise == exercise.exercise }) {
                 spec.commandLine().out.println(
                     "extension\t${one.student}\t${one.name}\t${one.due.text()}\t${one.reason}",
@@ -214,7 +218,9 @@ internal class CourseExercisesCommand(
     mixinStandardHelpOptions = true,
     description = ["Gives one student a later deadline, or takes it back."],
 )
-internal class CourseExtendCommand : Callable<Int> {
+internal class CourseExtendCommand(
+    private val words: CommandWords,
+) : Callable<Int> {
     @Spec
     lateinit var spec: CommandSpec
 
@@ -253,6 +259,9 @@ internal class CourseExtendCommand : Callable<Int> {
             val rules = CourseRules(database, InstantSource.system())
             val holds = rules.extend(course, exercise.known(), student, until, reason, by = "command")
             spec.commandLine().out.println("deadline\t${holds.due?.text().orEmpty()}".trim())
+            RepeatedHour.among(holds.zone, RuleField.DEADLINE.code to holds.due).forEach {
+                spec.commandLine().err.println(it.said(words.language))
+            }
             0
         }
 }

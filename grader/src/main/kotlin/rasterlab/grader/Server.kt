@@ -10,7 +10,6 @@ import io.ktor.server.auth.Authentication
 import io.ktor.server.auth.authenticate
 import io.ktor.server.plugins.origin
 import io.ktor.server.plugins.ratelimit.RateLimit
-import io.ktor.server.plugins.ratelimit.RateLimitConfig
 import io.ktor.server.plugins.ratelimit.RateLimitName
 import io.ktor.server.plugins.ratelimit.rateLimit
 import io.ktor.server.plugins.statuspages.StatusPages
@@ -66,7 +65,7 @@ import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.hints
 import rasterlab.grader.institution.InstitutionSettings
 import rasterlab.grader.institution.InstitutionSignIn
-import rasterlab.grader.limits.tell
+import rasterlab.grader.limits.limit
 import rasterlab.grader.lti.Lti
 import rasterlab.grader.lti.lti
 import rasterlab.grader.metrics.Meters
@@ -86,6 +85,7 @@ import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.clones
 import rasterlab.grader.rules.courseExercises
 import rasterlab.grader.rules.exerciseRules
+import rasterlab.grader.rules.tellZones
 import rasterlab.grader.similarity.Similar
 import rasterlab.grader.similarity.similarity
 import rasterlab.grader.storage.Database
@@ -140,9 +140,7 @@ import rasterlab.grader.worker.Workers
 import rasterlab.grader.worker.workers
 import java.net.InetAddress
 import java.net.URI
-import java.time.Duration
 import java.time.InstantSource
-import kotlin.time.Duration.Companion.minutes
 import kotlin.time.Duration.Companion.seconds
 
 /**
@@ -310,9 +308,10 @@ class Server(
         install(IgnoreTrailingSlash)
         install(StatusPages) { showProblems(ErrorPage) }
         install(Authentication) { byToken(accounts) }
-        install(RateLimit) { limitEntries(forwarding) }
+        install(RateLimit) { limit(ENTRY, settings.entriesPerMinute, steady, forwarding::clientOf) }
         protect()
         guardCourses(CourseGuard(accounts, database))
+        tellZones(accounts, database)
         guardExams(ExamGuard(accounts, sittings, submissions, chosen::closedTo))
         routing {
             monitoring(database, isolation, meters)
@@ -375,15 +374,6 @@ class Server(
                 complaints(submissions, courses, complaints)
                 results(results, live)
                 lti(lti.platforms, lti.key, courses, lti.states)
-            }
-        }
-
-    private fun RateLimitConfig.limitEntries(forwarding: Forwarding) =
-        register(ENTRY) {
-            rateLimiter(settings.entriesPerMinute, 1.minutes, clock = { steady.instant().toEpochMilli() })
-            requestKey { forwarding.clientOf(it) }
-            modifyResponse { call, state ->
-                call.tell(state, settings.entriesPerMinute, Duration.ofMinutes(1), steady.instant().toEpochMilli())
             }
         }
 

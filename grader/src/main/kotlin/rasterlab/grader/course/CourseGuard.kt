@@ -8,7 +8,6 @@ import io.ktor.server.application.call
 import io.ktor.server.request.httpMethod
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
-import kotlin.jvm.optionals.getOrNull
 
 /**
  * Keeps who teaches a single course from other courses and from what belongs to the whole server, whatever the address.
@@ -17,8 +16,10 @@ import kotlin.jvm.optionals.getOrNull
  */
 class CourseGuard(
     private val accounts: Accounts,
-    private val database: Database,
+    database: Database,
 ) {
+    private val addressed = AddressedCourse(database)
+
     /** @throws Rejection of a thing that is not there for who calls, or of the role */
     fun pass(call: ApplicationCall) {
         val parts = call.addressParts()
@@ -33,21 +34,13 @@ class CourseGuard(
         method: HttpMethod,
         parts: List<String>,
     ) {
-        val place = if (parts.take(API.size) == API) parts.drop(API.size) else parts
+        val place = AddressedCourse.withoutApi(parts)
         if (isForAll(place) || (method == HttpMethod.Get && place == COURSES)) return
-        val within = if (place.first() == DESK) place.drop(1) else place
-        val known = KINDS[within.firstOrNull()]
-        val id = within.getOrNull(1)
-        if (known == null || id == null || within.drop(2) == CLONE) throw Rejection.WrongRole("staff of all courses")
-        val found =
-            database.read {
-                it
-                    .createQuery(known.course)
-                    .bind("id", id)
-                    .mapTo(String::class.java)
-                    .findOne()
-            }
-        if (found.getOrNull() != course) throw known.missing(id)
+        val named = addressed.of(parts)
+        if (named == null || AddressedCourse.within(parts).drop(2) == CLONE) {
+            throw Rejection.WrongRole("staff of all courses")
+        }
+        if (named.course != course) throw named.missing
     }
 
     private fun isForAll(place: List<String>): Boolean =
@@ -55,30 +48,17 @@ class CourseGuard(
             place in OWN ||
             (place.first() == "exercises" && ACROSS.none { it in place.drop(2) })
 
-    /**
-     * A thing that an address names.
-     *
-     * @param course selects the id of its course
-     */
-    private class Kind(
-        val course: String,
-        val missing: (String) -> Rejection,
-    )
-
     private companion object {
-        val API = listOf("api", "v1")
-        const val DESK = "instructor"
-
         /** Beginnings of what is for everybody, or lets somebody in or out. */
         val FREE = setOf("assets", "sign-in", "sign-out", "join", "lti", "healthz", "readyz", "metrics", "openapi.json")
 
         /** Addresses that show each of the staff what is theirs. */
         val OWN =
             setOf(
-                listOf(DESK),
-                listOf(DESK, "latest"),
-                listOf(DESK, "events"),
-                listOf(DESK, "view", "end"),
+                listOf(AddressedCourse.DESK),
+                listOf(AddressedCourse.DESK, "latest"),
+                listOf(AddressedCourse.DESK, "events"),
+                listOf(AddressedCourse.DESK, "view", "end"),
                 listOf("join"),
             )
 
@@ -90,28 +70,6 @@ class CourseGuard(
 
         /** The course that comes of it belongs to nobody of a single one. */
         val CLONE = listOf("clone")
-
-        private const val OF_STUDENT = "SELECT course_id FROM students WHERE id ="
-
-        val KINDS =
-            mapOf(
-                "courses" to
-                    Kind("SELECT id FROM courses WHERE id = :id OR code = upper(trim(:id))", Rejection::UnknownCourse),
-                "students" to Kind("$OF_STUDENT :id", Rejection::UnknownStudent),
-                "submissions" to
-                    Kind(
-                        "$OF_STUDENT (SELECT student_id FROM submissions WHERE id = :id)",
-                        Rejection::UnknownSubmission,
-                    ),
-                "trials" to
-                    Kind(
-                        """$OF_STUDENT (SELECT student_id FROM submissions
-                           WHERE id = (SELECT submission_id FROM trials WHERE id = :id))""",
-                        Rejection::UnknownTrial,
-                    ),
-                "exams" to Kind("SELECT course_id FROM exams WHERE id = :id", Rejection::UnknownExam),
-                "regrades" to Kind("SELECT course_id FROM regrades WHERE id = :id", Rejection::UnknownRegrade),
-            )
     }
 }
 

@@ -1,6 +1,7 @@
 // Exams: a window of time in which a student has some exercises and nothing else. Start with Exam, then see Exams.
 package rasterlab.grader.exam
 
+import rasterlab.grader.rules.RepeatedHour
 import java.time.Duration
 import java.time.Instant
 import java.time.ZoneId
@@ -12,7 +13,7 @@ import java.time.ZoneId
  * @param exercises their ids, in order
  * @param opens nobody begins before
  * @param closes nobody works on after, but for more time that a student was given
- * @param zone in which its times are shown
+ * @param zone in which its times are typed
  * @param minutes that a student has
  * @param fixed whether these begin for all at [opens]; otherwise when the student opens the exam
  * @param grace seconds after the end in which work is still taken that was on its way
@@ -48,6 +49,10 @@ data class Exam(
 
     /** The moment after which nobody works on it who has at most so many minutes more than others. */
     fun over(extra: Int): Instant = closes + Duration.ofMinutes(extra.toLong()) + Duration.ofSeconds(grace.toLong())
+
+    /** Those of its times that the clocks of its zone show twice. */
+    fun repeatedHours(): List<RepeatedHour> =
+        RepeatedHour.among(zone, ExamField.OPENS.code to opens, ExamField.CLOSES.code to closes)
 
     companion object {
         val MINUTES = 1..1_440

@@ -45,7 +45,7 @@ class ExamForm(
         course: String,
     ): Exam {
         val zone = zone()
-        val opens = RuleChange.moment(ExamField.OPENS.code, text(ExamField.OPENS), zone)
+        val opens = RuleChange.moment(ExamField.OPENS.code, text(ExamField.OPENS), zone, begins = true)
         val closes = RuleChange.moment(ExamField.CLOSES.code, text(ExamField.CLOSES), zone)
         if (opens >= closes) throw Rejection.BadExam("order", "$opens", "$closes")
         if (exercises.isEmpty()) throw Rejection.BadExam("exercises")

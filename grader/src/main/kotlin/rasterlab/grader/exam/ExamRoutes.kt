@@ -21,12 +21,14 @@ import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.rules.named
 import rasterlab.grader.storage.text
 import java.time.Instant
+import java.util.Locale
 
 @Serializable
 private data class ExamAnswer(
@@ -42,6 +44,7 @@ private data class ExamAnswer(
     val grace: Int,
     val addresses: String,
     val second: String,
+    val notes: List<String>,
 )
 
 @Serializable
@@ -91,19 +94,19 @@ fun Route.exams(
     }
     get("/courses/{course}/exams") {
         call.staff()
-        call.respondJson(exams.ofCourse(call.course(courses).id).map(::answer))
+        call.respondJson(exams.ofCourse(call.course(courses).id).map { call.answer(it) })
     }
     post("/courses/{course}/exams") {
         val instructor = call.instructor()
         val course = call.course(courses)
         val form = call.receiveJson(*CODES) { ExamForm(told(it), it.texts(EXERCISES).onEach(exercises::named)) }
-        call.respondJson(answer(exams.create(course, form, instructor.id)), Created)
+        call.respondJson(call.answer(exams.create(course, form, instructor.id)), Created)
     }
     get("/exams/{exam}") {
         call.staff()
         sittings.settle()
         val exam = exams.find(call.examId())
-        call.respondJson(WatchedExamAnswer(answer(exam), exams.seats(exam).map { answer(it, sittings.now()) }))
+        call.respondJson(WatchedExamAnswer(call.answer(exam), exams.seats(exam).map { answer(it, sittings.now()) }))
     }
     patch("/exams/{exam}") {
         val instructor = call.instructor()
@@ -111,11 +114,11 @@ fun Route.exams(
             call.receiveJson(*CODES) { body ->
                 told(body) to if (body.has(EXERCISES)) body.texts(EXERCISES).onEach(exercises::named) else null
             }
-        call.respondJson(answer(exams.change(call.examId(), told, ids, instructor.id)))
+        call.respondJson(call.answer(exams.change(call.examId(), told, ids, instructor.id)))
     }
     delete("/exams/{exam}") {
         val instructor = call.instructor()
-        call.respondJson(answer(exams.drop(call.examId(), instructor.id)))
+        call.respondJson(call.answer(exams.drop(call.examId(), instructor.id)))
     }
     get("/exams/{exam}/protocol.csv") {
         call.instructor()
@@ -166,7 +169,7 @@ private suspend fun ApplicationCall.respondSeat(
     respondJson(answer(seat ?: throw Rejection.UnknownStudent(studentId()), now))
 }
 
-private fun answer(exam: Exam) =
+private fun ApplicationCall.answer(exam: Exam) =
     ExamAnswer(
         exam.id,
         exam.course,
@@ -180,6 +183,7 @@ private fun answer(exam: Exam) =
         exam.grace,
         exam.addresses.text,
         ExamForm.told(exam).getValue(ExamField.SECOND),
+        exam.repeatedHours().map { it.said(Locale.forLanguageTag(language())) },
     )
 
 private fun answer(

@@ -33,8 +33,16 @@ class RuleChange(
         val zone = told[RuleField.ZONE]?.let(::zone) ?: before.zone
         val after =
             ExerciseRules(
-                opens = changed(RuleField.OPENS, before.opens) { moment(RuleField.OPENS.code, it, zone) },
-                due = changed(RuleField.DEADLINE, before.due) { moment(RuleField.DEADLINE.code, it, zone) },
+                opens =
+                    changed(
+                        RuleField.OPENS,
+                        before.opens,
+                    ) { moment(RuleField.OPENS.code, it, zone, before.opens, begins = true) },
+                due =
+                    changed(
+                        RuleField.DEADLINE,
+                        before.due,
+                    ) { moment(RuleField.DEADLINE.code, it, zone, before.due) },
                 zone,
                 lateDays =
                     changed(
@@ -76,20 +84,26 @@ class RuleChange(
         private val YEARS = 2000..9999
 
         /**
-         * The moment that a text means: with an offset, or a time of that zone.
+         * The moment that a text means: with an offset, or a time of that zone. Of an hour that comes twice it is the one
+         * that leaves students more time.
          *
          * @param field that holds it, for the message
+         * @param held the moment before, which stays where the text is its time of day
+         * @param begins whether something begins then, and not ends
+         * @throws Rejection.BadRule where there is no such moment
          */
         fun moment(
             field: String,
             text: String,
             zone: ZoneId,
+            held: Instant? = null,
+            begins: Boolean = false,
         ): Instant {
             val moment =
                 try {
                     OffsetDateTime.parse(text).toInstant()
                 } catch (noOffset: DateTimeException) {
-                    localTime(field, text, zone)
+                    localTime(field, text, zone, held, begins)
                 }
             return moment.takeIf { it.atZone(zone).year in YEARS } ?: throw noMoment(field, text, zone)
         }
@@ -98,12 +112,31 @@ class RuleChange(
             field: String,
             text: String,
             zone: ZoneId,
-        ): Instant =
-            try {
-                LocalDateTime.parse(text).atZone(zone).toInstant()
-            } catch (invalid: DateTimeException) {
-                throw noMoment(field, text, zone)
+            held: Instant?,
+            begins: Boolean,
+        ): Instant {
+            val local =
+                try {
+                    LocalDateTime.parse(text)
+                } catch (invalid: DateTimeException) {
+                    throw noMoment(field, text, zone)
+                }
+            if (held != null && held.atZone(zone).toLocalDateTime() == local) return held
+            zone.rules.getTransition(local)?.takeIf { it.isGap }?.let { gap ->
+                val example = local.atOffset(gap.offsetBefore)
+                throw Rejection.BadRule(
+                    "gap",
+                    field,
+                    text,
+                    zone.named(),
+                    "${gap.dateTimeBefore}",
+                    "${gap.dateTimeAfter}",
+                    "$example",
+                )
             }
+            val at = local.atZone(zone)
+            return (if (begins) at.withEarlierOffsetAtOverlap() else at.withLaterOffsetAtOverlap()).toInstant()
+        }
 
         private fun noMoment(
             field: String,

@@ -11,9 +11,11 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
+import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.storage.text
+import java.util.Locale
 
 @Serializable
 private data class RulesAnswer(
@@ -26,6 +28,7 @@ private data class RulesAnswer(
     val policy: String,
     val latePenalty: Int,
     val inCourse: Boolean,
+    val notes: List<String>,
 )
 
 @Serializable
@@ -33,6 +36,7 @@ private data class ExtensionAnswer(
     val student: String,
     val exercise: String,
     val deadline: String?,
+    val notes: List<String>,
 )
 
 @Serializable
@@ -68,9 +72,10 @@ fun Route.exerciseRules(
         val course = call.course(courses)
         val set = rules.ofCourse(course)
         val had = chosen.of(course.id).toSet()
+        val language = call.language()
         call.respondJson(
             AllRulesAnswer(
-                ids.map { answer(it, set[it] ?: ExerciseRules(), it in had) },
+                ids.map { answer(it, set[it] ?: ExerciseRules(), it in had, language) },
                 rules
                     .extensions(
                         course,
@@ -84,7 +89,7 @@ fun Route.exerciseRules(
         val change = call.receiveJson(*CODES) { RuleChange(told(it)) }
         val course = call.course(courses)
         val after = rules.change(course, exercise, change, instructor.id)
-        call.respondJson(answer(exercise, after, exercise in chosen.of(course.id)))
+        call.respondJson(answer(exercise, after, exercise in chosen.of(course.id), call.language()))
     }
     put("/courses/{course}/exercises/{id}/extensions/{student}") {
         val instructor = call.instructor()
@@ -95,7 +100,11 @@ fun Route.exerciseRules(
                 it.anyText("deadline") to if (it.has("reason")) it.anyText("reason") else ""
             }
         val holds = rules.extend(call.course(courses), exercise, student, until, reason, instructor.id)
-        call.respondJson(ExtensionAnswer(student, exercise, holds.due?.text()))
+        val notes =
+            RepeatedHour.among(holds.zone, RuleField.DEADLINE.code to holds.due).map {
+                it.said(Locale.forLanguageTag(call.language()))
+            }
+        call.respondJson(ExtensionAnswer(student, exercise, holds.due?.text(), notes))
     }
 }
 
@@ -112,6 +121,7 @@ private fun answer(
     exercise: String,
     rules: ExerciseRules,
     inCourse: Boolean,
+    language: String,
 ) = RulesAnswer(
     exercise,
     rules.opens?.text(),
@@ -122,4 +132,5 @@ private fun answer(
     rules.policy.code,
     rules.latePenalty,
     inCourse,
+    RepeatedHour.among(rules).map { it.said(Locale.forLanguageTag(language)) },
 )

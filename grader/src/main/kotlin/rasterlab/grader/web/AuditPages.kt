@@ -38,7 +38,7 @@ private suspend fun ApplicationCall.respondAudit(
     val texts = texts()
     respondPage(texts, who, texts.say("audit.title")) {
         p { a("/instructor") { +texts.say("token.back") } }
-        p("plan") { +texts.say("audit.about") }
+        p("plan") { +texts.say("audit.about", texts.zoneName) }
         if (page.entries.isEmpty()) p { +texts.say("audit.none") } else changeTable(texts, page.entries)
         p("ways") {
             if (!begins) a("/instructor/audit") { +texts.say("audit.latest") }
@@ -62,7 +62,7 @@ private fun FlowContent.changeTable(
         tbody {
             entries.forEach { one ->
                 tr {
-                    td { moment(one.notedAt) }
+                    td { moment(texts, one.notedAt) }
                     td { +texts.doer(one) }
                     td { +texts.action(one.action) }
                     td { subject(one) }

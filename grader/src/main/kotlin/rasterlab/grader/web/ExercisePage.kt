@@ -197,7 +197,7 @@ private fun showing(
     return when (shows) {
         stand.rules.due -> texts.say("exercise.due.hidden")
 
-        stand.rules.closes -> texts.say("exercise.shows", shows.forPeople(stand.rules.zone))
+        stand.rules.closes -> texts.say("exercise.shows", texts.time(shows))
 
         // The moment is an extension of somebody else, who is nobody's business.
         else -> texts.say("exercise.shows.later")

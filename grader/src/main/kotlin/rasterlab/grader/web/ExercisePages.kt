@@ -126,11 +126,11 @@ private fun FlowContent.chapter(
                 span { +about(texts, exercise) }
                 val rules = held[exercise.id()] ?: ExerciseRules()
                 rules.opens?.takeIf { now < it }?.let { opens ->
-                    span("state") { +texts.say("exercises.opens", opens.forPeople(rules.zone)) }
+                    span("state") { +texts.say("exercises.opens", texts.time(opens)) }
                 }
                 rules.due?.let { due ->
                     val said = if (now > due) "exercises.over" else "exercises.deadline"
-                    span("state") { +texts.say(said, due.forPeople(rules.zone)) }
+                    span("state") { +texts.say(said, texts.time(due)) }
                 }
                 if (bests != null) span("state") { +state(texts, exercise, bests) }
             }

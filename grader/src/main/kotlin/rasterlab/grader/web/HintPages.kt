@@ -89,7 +89,7 @@ fun FlowContent.hintTable(
             tr {
                 listOf("student", "exercise", "hint", "cost", "taken").forEach { column ->
                     val classes = "number".takeIf { column == "hint" || column == "cost" }
-                    th(classes = classes) { +texts.say("table.$column") }
+                    th(classes = classes) { +texts.say("table.$column", texts.zoneName) }
                 }
             }
         }
@@ -100,7 +100,7 @@ fun FlowContent.hintTable(
                     td { +(exercises.find(use.exercise)?.title(texts.language) ?: use.exercise) }
                     td("number") { +"${use.hint.step}" }
                     td("number") { +"${use.hint.cost}" }
-                    td { +use.hint.takenAt.forPeople() }
+                    td { +texts.minute(use.hint.takenAt) }
                 }
             }
         }

@@ -128,7 +128,7 @@ private fun FlowContent.given(
     one: Adjustment,
 ) {
     val points = texts.say("result.manual", signed(one.points), one.reason)
-    +texts.say("points.given", points, one.before, one.givenAt.forPeople())
+    +texts.say("points.given", points, one.before, texts.time(one.givenAt))
     +" "
     val revoked = one.revokedAt
     if (revoked == null) {
@@ -139,6 +139,6 @@ private fun FlowContent.given(
             }
         }
     } else {
-        span("earlier") { +texts.say("points.revoked", revoked.forPeople()) }
+        span("earlier") { +texts.say("points.revoked", texts.time(revoked)) }
     }
 }

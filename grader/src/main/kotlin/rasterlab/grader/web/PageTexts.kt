@@ -5,15 +5,27 @@ import io.ktor.server.application.ApplicationCall
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.exercise.acceptedLanguage
+import rasterlab.grader.rules.READERS_ZONE
+import rasterlab.grader.rules.named
 import rasterlab.grader.wording.Wording
+import java.time.Instant
+import java.time.ZoneId
+import java.time.ZoneOffset
+import java.time.format.DateTimeFormatter
 import java.util.Locale
 
 const val LANGUAGE_COOKIE = "lang"
 
-/** The words of the pages in one language. */
+/** The words of the pages in one language, and the times in one zone. */
 class PageTexts private constructor(
     val language: String,
+    private val readersZone: Lazy<ZoneId>,
 ) {
+    /** The zone of the times on the page. */
+    val zone: ZoneId get() = readersZone.value
+
+    val zoneName: String get() = zone.named()
+
     private val wording = Wording("rasterlab.grader.web.texts", Locale.forLanguageTag(language))
 
     /** @param values for the places {0}, {1}, … of the text */
@@ -21,6 +33,12 @@ class PageTexts private constructor(
         key: String,
         vararg values: Any,
     ): String = wording.say(key, *values)
+
+    /** The moment to the minute with its zone, such as "2027-03-01 23:59 Europe/Moscow". */
+    fun time(at: Instant): String = "${minute(at)} $zoneName"
+
+    /** The moment to the minute, where the zone is told beside it. */
+    fun minute(at: Instant): String = MINUTE.format(at.atZone(zone))
 
     fun verdict(code: String): String = GradingVerdict.word(code, language)
 
@@ -51,15 +69,21 @@ class PageTexts private constructor(
     companion object {
         private val OTHERS = Regex("[^a-z]+")
 
-        fun of(language: String) = PageTexts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first())
+        private val MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm")
+
+        fun of(
+            language: String,
+            zone: Lazy<ZoneId> = lazyOf(ZoneOffset.UTC),
+        ) = PageTexts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first(), zone)
     }
 }
 
 /**
  * The texts in the language that `?lang=`, the cookie or the browser asks for, the first that is
- * spoken here.
+ * spoken here, and in the zone of the reader's course.
  */
 fun ApplicationCall.texts(): PageTexts {
     val asked = listOfNotNull(request.rawQueryParameters["lang"], request.cookies[LANGUAGE_COOKIE, CookieEncoding.RAW])
-    return PageTexts.of((asked.firstOrNull { it in LANGUAGES } ?: acceptedLanguage()).orEmpty())
+    val language = (asked.firstOrNull { it in LANGUAGES } ?: acceptedLanguage()).orEmpty()
+    return PageTexts.of(language, attributes.getOrNull(READERS_ZONE) ?: lazyOf(ZoneOffset.UTC))
 }

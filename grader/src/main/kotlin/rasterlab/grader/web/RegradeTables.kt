@@ -98,7 +98,7 @@ internal fun FlowContent.regradeTable(
             tbody {
                 regrades.forEach { one ->
                     tr {
-                        td { a(regradeAddress(one)) { +"${one.begunAt.forPeople()} UTC" } }
+                        td { a(regradeAddress(one)) { +texts.time(one.begunAt) } }
                         td {
                             +(
                                 one.case?.let { texts.say("regrade.case", it) }

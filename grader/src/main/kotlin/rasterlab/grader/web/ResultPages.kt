@@ -65,7 +65,7 @@ private fun FlowContent.deadline(
     view: SubmissionView,
     hidesCases: Boolean,
 ) {
-    val due = view.deadline?.let { Instant.parse(it).forPeople() } ?: return
+    val due = view.deadline?.let { texts.time(Instant.parse(it)) } ?: return
     if (view.late) {
         p("late") {
             val words = if (view.penalty > 0) "result.late.charged" else "result.late"
@@ -160,7 +160,7 @@ class ResultPage(
         val heading = "${title(texts, who, submission)}\u00a0— ${texts.say("result.title", submission.attempt)}"
         call.respondPage(texts, who, heading, refused?.status ?: HttpStatusCode.OK) {
             refused?.let { problem(texts, it.status, it.code, it.details) }
-            p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
+            p("plan") { +texts.say("result.received", texts.time(submission.receivedAt)) }
             deadline(texts, view, exercise?.hidesCases() ?: true)
             div {
                 id = "live"
@@ -191,7 +191,7 @@ class ResultPage(
         place.article("card apart thread") {
             h2 { +texts.say("group.heading") }
             div("said") {
-                p("by") { +texts.say("comment.at", told.writtenAt.forPeople()) }
+                p("by") { +texts.say("comment.at", texts.time(told.writtenAt)) }
                 p("words") { +told.text }
             }
         }

@@ -2,15 +2,7 @@ package rasterlab.grader.web
 
 import rasterlab.grader.rules.Arrival
 import rasterlab.grader.rules.ExerciseRules
-import rasterlab.grader.rules.named
 import java.time.Instant
-import java.time.ZoneId
-import java.time.format.DateTimeFormatter
-
-private val LOCAL_MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm")
-
-/** The moment to the minute with its zone, such as "2027-03-01 23:59 Europe/Moscow". */
-internal fun Instant.forPeople(zone: ZoneId): String = "${LOCAL_MINUTE.format(atZone(zone))} ${zone.named()}"
 
 /** Tells what the rules of an exercise mean to a student at this moment, a sentence or two each. */
 internal fun PageTexts.rules(
@@ -19,14 +11,14 @@ internal fun PageTexts.rules(
     made: Int,
 ): List<String> =
     listOfNotNull(
-        rules.opens?.takeIf { now < it }?.let { say("exercise.opens", it.forPeople(rules.zone)) },
+        rules.opens?.takeIf { now < it }?.let { say("exercise.opens", time(it)) },
         rules.due?.let { deadline(rules, it, now) },
         rules.attempts?.let { say("exercise.attempts", made, it) },
         say(
             "exercise.policy.${rules.policy.code}",
         ).takeIf { rules != ExerciseRules(due = rules.due, zone = rules.zone) },
         rules.latePenalty.takeIf { it > 0 && rules.due != null && rules.arrival(now) != Arrival.PRACTICE }?.let {
-            say("exercise.penalty", it, rules.freeDays ?: 0, rules.closes?.forPeople(rules.zone).orEmpty())
+            say("exercise.penalty", it, rules.freeDays ?: 0, rules.closes?.let(::time).orEmpty())
         },
     )
 
@@ -35,8 +27,8 @@ private fun PageTexts.deadline(
     due: Instant,
     now: Instant,
 ): String {
-    val told = due.forPeople(rules.zone)
-    val free = rules.free?.forPeople(rules.zone).orEmpty()
+    val told = time(due)
+    val free = rules.free?.let(::time).orEmpty()
     return when (rules.arrival(now)) {
         Arrival.IN_TIME -> {
             when (val days = rules.lateDays) {

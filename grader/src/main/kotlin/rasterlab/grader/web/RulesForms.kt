@@ -92,7 +92,7 @@ internal fun FlowContent.extensionForms(
     ul {
         given.forEach { one ->
             li {
-                +"${one.name}: ${one.due.forPeople(held.zone)} (${one.reason}) "
+                +"${one.name}: ${texts.time(one.due)} (${one.reason}) "
                 form("$address/extensions", method = FormMethod.post) {
                     input(InputType.hidden, name = "student") { value = one.student }
                     button(classes = "plain") {

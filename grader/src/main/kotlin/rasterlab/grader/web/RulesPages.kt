@@ -19,8 +19,10 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.ExerciseRules
+import rasterlab.grader.rules.RepeatedHour
 import rasterlab.grader.rules.RuleChange
 import rasterlab.grader.rules.RuleField
+import java.util.Locale
 
 /** Shows instructors what a course rules for an exercise, and takes their changes. */
 fun Route.rulesPages(
@@ -110,6 +112,8 @@ internal class RulesDesk(
                 a("/instructor/courses/${course.id}/exercises") { +texts.say("rules.back") }
                 a("$address/regrade") { +texts.say("regrade.heading") }
             }
+            (RepeatedHour.among(held) + extensions.flatMap { RepeatedHour.among(held.zone, it.name to it.due) })
+                .forEach { p("plan") { +it.said(Locale.forLanguageTag(texts.language)) } }
             rulesForm(texts, address, held, typed)
             extensionForms(texts, address, courses.students(course.id).orEmpty(), extensions, held, typed)
         }

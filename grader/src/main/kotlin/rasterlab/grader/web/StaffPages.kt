@@ -144,10 +144,10 @@ private fun FlowContent.memberTable(
                 +(one.course?.name ?: texts.say("staff.course.all"))
                 assigning(texts, one, courses)
             },
-            "made" to { moment(it.madeAt) },
-            "used" to { one -> one.lastUsedAt?.let { moment(it) } ?: +texts.say("staff.never") },
+            "made" to { moment(texts, it.madeAt) },
+            "used" to { one -> one.lastUsedAt?.let { moment(texts, it) } ?: +texts.say("staff.never") },
             "entry" to { access(texts, it) },
-        ).map { (name, content) -> texts.say("staff.column.$name") to content }
+        ).map { (name, content) -> texts.say("staff.column.$name", texts.zoneName) to content }
     stacked(columns, members)
 }
 
@@ -219,7 +219,7 @@ private fun FlowContent.access(
     one: StaffMember,
 ) {
     val name = texts.nameOf(one)
-    one.revokedAt?.let { p { +texts.say("staff.revoked", it.forPeople()) } }
+    one.revokedAt?.let { p { +texts.say("staff.revoked", texts.time(it)) } }
     div("ways") {
         newTokenButton(texts, "$ADDRESS/${one.id}/token", name)
         if (one.revokedAt == null) {

@@ -108,7 +108,7 @@ private fun FlowContent.access(
     if (revokedSince == null) {
         p { +texts.say("student.access.about") }
     } else {
-        p { +texts.say("student.access.none", revokedSince.forPeople()) }
+        p { +texts.say("student.access.none", texts.time(revokedSince)) }
     }
     div("ways") {
         newTokenButton(texts, "$address/token", kept.shownName)

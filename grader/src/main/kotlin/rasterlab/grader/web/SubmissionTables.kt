@@ -15,16 +15,15 @@ import kotlinx.html.tr
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.submission.Listed
 import java.time.Instant
-import java.time.ZoneOffset
-import java.time.format.DateTimeFormatter
 
-private val MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm").withZone(ZoneOffset.UTC)
-
-fun Instant.forPeople(): String = MINUTE.format(this)
-
-/** A moment that breaks only between day and time. */
-internal fun FlowOrPhrasingContent.moment(at: Instant) =
-    at.forPeople().split(' ').forEach {
+/** A moment that breaks only between day and time; its zone is told beside it. */
+internal fun FlowOrPhrasingContent.moment(
+    texts: PageTexts,
+    at: Instant,
+) = texts
+    .minute(at)
+    .split(' ')
+    .forEach {
         span("unbroken") { +it }
         +" "
     }
@@ -71,7 +70,7 @@ private fun FlowContent.listing(
             tr {
                 (first.map { it.first } + listOf("verdict", "points", "received")).forEach { column ->
                     val classes = "number".takeIf { column == "points" }
-                    th(scope = ThScope.col, classes = classes) { +texts.say("table.$column") }
+                    th(scope = ThScope.col, classes = classes) { +texts.say("table.$column", texts.zoneName) }
                 }
             }
         }
@@ -105,7 +104,7 @@ private fun FlowContent.listing(
                         }
                     }
                     td {
-                        moment(row.submission.receivedAt)
+                        moment(texts, row.submission.receivedAt)
                         if (row.late) span("late") { +texts.say("table.late") }
                     }
                 }

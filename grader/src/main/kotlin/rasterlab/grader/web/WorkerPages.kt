@@ -43,7 +43,7 @@ private suspend fun ApplicationCall.respondWorkers(
     val texts = texts()
     respondPage(texts, who, texts.say("worker.title")) {
         p { a("/instructor") { +texts.say("token.back") } }
-        p("plan") { +texts.say("worker.about") }
+        p("plan") { +texts.say("worker.about", texts.zoneName) }
         if (all.isEmpty()) p { +texts.say("worker.none") } else workerTable(texts, all)
     }
 }
@@ -59,9 +59,9 @@ private fun FlowContent.workerTable(
             "kind" to { +texts.say(if (it.worker.serves) "worker.serves" else "worker.grades") },
             "isolation" to { +it.worker.isolation.`in`(texts.language) },
             "grading" to { +texts.say("worker.load", "${it.grading}", "${it.worker.slots}") },
-            "started" to { moment(it.startedAt) },
+            "started" to { moment(texts, it.startedAt) },
             "state" to { standing(texts, it) },
-        ).map { (name, content) -> texts.say("worker.column.$name") to content }
+        ).map { (name, content) -> texts.say("worker.column.$name", texts.zoneName) to content }
     stacked(columns, all)
 }
 
@@ -69,7 +69,7 @@ private fun FlowContent.standing(
     texts: PageTexts,
     one: WorkerSeen,
 ) {
-    p { +texts.say("worker.state.${one.state.code}", one.seenAt.forPeople()) }
+    p { +texts.say("worker.state.${one.state.code}", texts.time(one.seenAt)) }
     if (one.state == WorkerState.LOST) return
     val word = if (one.state == WorkerState.DRAINING) "resume" else "drain"
     form("$ADDRESS/${one.worker.name}/$word", method = FormMethod.post) {

@@ -101,7 +101,7 @@ private fun FlowContent.effortTable(
                 listOf("attempts", "withoutGain", "best", "hints").forEach {
                     th(scope = ThScope.col, classes = "number") { +texts.say("stuck.$it") }
                 }
-                th(scope = ThScope.col) { +texts.say("stuck.last") }
+                th(scope = ThScope.col) { +texts.say("stuck.last", texts.zoneName) }
             }
         }
         tbody {
@@ -114,7 +114,7 @@ private fun FlowContent.effortTable(
                     listOf("${one.attempts}", "${one.withoutGain}", "${one.best} / ${one.of}", "${one.hints}").forEach {
                         td("number") { +it }
                     }
-                    td { moment(one.lastAt) }
+                    td { moment(texts, one.lastAt) }
                 }
             }
         }

@@ -61,7 +61,6 @@ import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.comment.COMMENT_BYTES
 import rasterlab.grader.web.courseOf
 import rasterlab.grader.web.exerciseOf
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.receiveForm
 import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondPage
@@ -301,7 +300,7 @@ private fun FlowContent.comment(
 ) {
     if (said != null) {
         div("said") {
-            p("by") { +"${said.name} ${texts.say("comment.at", said.writtenAt.forPeople())}".trim() }
+            p("by") { +"${said.name} ${texts.say("comment.at", texts.time(said.writtenAt))}".trim() }
             p("words") { +said.text }
         }
     }

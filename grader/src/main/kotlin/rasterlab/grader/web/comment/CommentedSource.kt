@@ -21,7 +21,6 @@ import rasterlab.grader.submission.Submission
 import rasterlab.grader.web.HandedView
 import rasterlab.grader.web.NUMBERED_MOST
 import rasterlab.grader.web.PageTexts
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.sourceLines
 
 /** The source of a submission with threads below the lines that they are about, and forms to write more. */
@@ -124,8 +123,8 @@ private fun FlowContent.said(
     p("by") {
         strong { +desk.texts.author(one) }
         +" "
-        span("unbroken") { +desk.texts.say("comment.at", one.writtenAt.forPeople()) }
-        one.editedAt?.let { +", ${desk.texts.say("comment.edited", it.forPeople())}" }
+        span("unbroken") { +desk.texts.say("comment.at", desk.texts.time(one.writtenAt)) }
+        one.editedAt?.let { +", ${desk.texts.say("comment.edited", desk.texts.time(it))}" }
         if (one.thread == null) +" · ${desk.texts.place(one.lines)}"
     }
     p("words") { +one.text }

@@ -36,7 +36,6 @@ import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.courseOf
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.problem
 import rasterlab.grader.web.receiveForm
 import rasterlab.grader.web.requireOwnForm
@@ -126,7 +125,7 @@ private fun FlowContent.question(
         }
     }
     p("plan") {
-        +"${texts.place(one.comment.lines)} · ${texts.say("comment.at", one.comment.writtenAt.forPeople())}"
+        +"${texts.place(one.comment.lines)} · ${texts.say("comment.at", texts.time(one.comment.writtenAt))}"
     }
     p("words") { +one.comment.text }
 }

@@ -34,7 +34,6 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.report.submissionId
 import rasterlab.grader.submission.Listed
 import rasterlab.grader.web.PageTexts
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.scrolling
 import rasterlab.grader.web.someone
@@ -106,7 +105,7 @@ private fun FlowContent.choice(
                         value = one.submission.id
                         selected = one.submission.id == chosen.submission.id
                         +"${texts.say("table.attempt.number", one.submission.attempt)} · "
-                        +one.submission.receivedAt.forPeople()
+                        +texts.time(one.submission.receivedAt)
                     }
                 }
             }
@@ -162,8 +161,8 @@ private fun FlowContent.points(
                 }
             }
             tr {
-                th(scope = ThScope.row) { +texts.say("table.received") }
-                both.forEach { td { +it.submission.receivedAt.forPeople() } }
+                th(scope = ThScope.row) { +texts.say("table.received", texts.zoneName) }
+                both.forEach { td { +texts.minute(it.submission.receivedAt) } }
             }
         }
     }

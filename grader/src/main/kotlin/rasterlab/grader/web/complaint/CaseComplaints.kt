@@ -31,7 +31,6 @@ import rasterlab.grader.web.CaseView
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.comment.ONCE
 import rasterlab.grader.web.comment.wordsField
-import rasterlab.grader.web.forPeople
 
 /**
  * Shows below a case what its student says against the result, with the answer, and a form for what comes next.
@@ -83,7 +82,7 @@ internal fun FlowContent.complaint(
         p("by") {
             strong { +texts.say("complaint.one") }
             +" "
-            span("unbroken") { +texts.say("comment.at", one.openedAt.forPeople()) }
+            span("unbroken") { +texts.say("comment.at", texts.time(one.openedAt)) }
             if (!one.current) +" · ${texts.say("complaint.earlier")}"
         }
         p("words") { +one.text }
@@ -104,7 +103,7 @@ private fun FlowContent.answer(
         val role = texts.say("staff.role.${answer.role}")
         val author = if (answer.name.isEmpty()) role else texts.say("comment.author", answer.name, role)
         +" · $author "
-        span("unbroken") { +texts.say("comment.at", answer.at.forPeople()) }
+        span("unbroken") { +texts.say("comment.at", texts.time(answer.at)) }
     }
     p("words") { +answer.text }
     one.regrade?.let { regrade ->

@@ -44,7 +44,6 @@ import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.Refused
 import rasterlab.grader.web.courseOf
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.instructorHere
 import rasterlab.grader.web.problem
 import rasterlab.grader.web.receiveForm
@@ -215,7 +214,7 @@ private suspend fun ApplicationCall.respondAll(
 
 /** The rules of an exam in a sentence. */
 internal fun PageTexts.said(exam: Exam): String {
-    val (opens, closes) = listOf(exam.opens, exam.closes).map { it.forPeople(exam.zone) }
+    val (opens, closes) = listOf(exam.opens, exam.closes).map(::time)
     return say(if (exam.fixed) "exam.fixed" else "exam.window", opens, closes, exam.minutes)
 }
 

@@ -52,7 +52,6 @@ import rasterlab.grader.submission.sourceOf
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.VIEWED
 import rasterlab.grader.web.editor
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.markdownAsHtml
 import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondPage
@@ -144,7 +143,7 @@ private suspend fun ApplicationCall.respondExams(
 
 private fun PageTexts.describe(sitting: Sitting): String {
     val exam = sitting.exam
-    val (opens, closes) = listOf(exam.opens, exam.closes).map { it.forPeople(exam.zone) }
+    val (opens, closes) = listOf(exam.opens, exam.closes).map(::time)
     return say(if (exam.fixed) "exam.fixed" else "exam.window", opens, closes, exam.minutes + sitting.extra)
 }
 
@@ -233,7 +232,7 @@ private fun FlowContent.clock(
     span("left") { +(if (left >= 60) texts.say("exam.minutes", left / 60) else texts.say("exam.seconds", left)) }
     sitting.ends?.let {
         +" "
-        span("legend") { +texts.say("exam.ends", it.forPeople(sitting.exam.zone)) }
+        span("legend") { +texts.say("exam.ends", texts.time(it)) }
     }
 }
 

@@ -33,6 +33,7 @@ import rasterlab.grader.web.scrolling
 import rasterlab.grader.web.texts
 import java.time.Instant
 import java.time.format.DateTimeFormatter
+import java.util.Locale
 
 private val SECONDS = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss")
 
@@ -55,6 +56,7 @@ internal suspend fun ApplicationCall.respondExam(
             }
         }
         p { +texts.said(exam) }
+        exam.repeatedHours().forEach { p("plan") { +it.said(Locale.forLanguageTag(texts.language)) } }
         p { +exam.exercises.joinToString { exercises.find(it)?.title(texts.language) ?: it } }
         val from = exam.addresses.text
         p { +if (from.isEmpty()) texts.say("exams.from.any") else texts.say("exams.from", from) }
@@ -91,7 +93,7 @@ private fun FlowContent.columns(
     keys: List<String>,
     rows: kotlinx.html.TBODY.() -> Unit,
 ) = table {
-    thead { tr { keys.forEach { th(scope = ThScope.col) { +texts.say("exams.$it") } } } }
+    thead { tr { keys.forEach { th(scope = ThScope.col) { +texts.say("exams.$it", texts.zoneName) } } } }
     tbody { rows() }
 }
 
@@ -107,7 +109,7 @@ private fun FlowContent.students(
         tr {
             td { +seat.name }
             td { +texts.say("exams.state.${sitting.state(now).code}") }
-            td { +sitting.ends?.let { SECONDS.format(it.atZone(exam.zone)) }.orEmpty() }
+            td { +sitting.ends?.let { SECONDS.format(it.atZone(texts.zone)) }.orEmpty() }
             td { +sitting.address.orEmpty() }
             td { if (who is Identity.Instructor) extra(texts, exam, seat) else +"${sitting.extra}" }
             td { if (sitting.session != null && sitting.ended == null) release(texts, exam, seat) }
@@ -152,7 +154,7 @@ private fun FlowContent.protocol(
 ) = columns(texts, listOf("time", "student", "event", "from.address", "detail")) {
     events.forEach { event ->
         tr {
-            td { +SECONDS.format(event.at.atZone(exam.zone)) }
+            td { +SECONDS.format(event.at.atZone(texts.zone)) }
             td { +event.name }
             td { +texts.say("exams.event.${event.kind}") }
             td { +event.address }

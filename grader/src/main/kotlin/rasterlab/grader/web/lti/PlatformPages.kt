@@ -42,7 +42,6 @@ import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.Refused
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.instructorHere
 import rasterlab.grader.web.moment
 import rasterlab.grader.web.problem
@@ -115,7 +114,7 @@ private suspend fun ApplicationCall.respondPlatforms(
     respondPage(texts, who, texts.say("lti.title"), refused?.status ?: HttpStatusCode.OK) {
         refused?.let { problem(texts, it.status, it.code, it.details) }
         p { a("/instructor") { +texts.say("token.back") } }
-        p("plan") { +texts.say("lti.about") }
+        p("plan") { +texts.say("lti.about", texts.zoneName) }
         val all = lti.platforms.all()
         if (all.isEmpty()) p { +texts.say("lti.none") } else platformTable(texts, all)
         section("card apart") { told(texts, places) }
@@ -154,7 +153,7 @@ private fun FlowContent.keys(
     dl("told") {
         published.forEach { one ->
             val until = one.until
-            dt { +if (until == null) texts.say("lti.keys.now") else texts.say("lti.keys.until", until.forPeople()) }
+            dt { +if (until == null) texts.say("lti.keys.now") else texts.say("lti.keys.until", texts.time(until)) }
             dd { code { +one.id } }
         }
     }
@@ -169,7 +168,7 @@ private fun FlowContent.platformTable(
         thead {
             tr {
                 listOf("name", "issuer", "client-id", "deployment", "staff", "added", "change").forEach {
-                    th(scope = ThScope.col) { +texts.say("lti.column.$it") }
+                    th(scope = ThScope.col) { +texts.say("lti.column.$it", texts.zoneName) }
                 }
             }
         }
@@ -181,7 +180,7 @@ private fun FlowContent.platformTable(
                     td { +one.clientId }
                     td { +one.deployment }
                     td { +texts.say(if (one.makesStaff) "lti.staff.made" else "lti.staff.asked") }
-                    td { moment(one.addedAt) }
+                    td { moment(texts, one.addedAt) }
                     td { removal(texts, one) }
                 }
             }

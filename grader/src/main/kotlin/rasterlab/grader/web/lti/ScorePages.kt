@@ -33,7 +33,6 @@ import rasterlab.grader.lti.Lti
 import rasterlab.grader.lti.ScoreState
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.courseOf
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.instructorHere
 import rasterlab.grader.web.receiveForm
 import rasterlab.grader.web.requireOwnForm
@@ -80,7 +79,7 @@ private suspend fun ApplicationCall.respondScores(
     val mayChange = who is Identity.Instructor
     respondPage(texts, who, texts.say("lti.course.page", course.name)) {
         p { a("/instructor") { +texts.say("token.back") } }
-        p("plan") { +texts.say("lti.course.page.about") }
+        p("plan") { +texts.say("lti.course.page.about", texts.zoneName) }
         section("card apart") {
             h2 { +texts.say("lti.contexts") }
             contexts(texts, course, lti.bindings.contexts(course.id), mayChange)
@@ -165,9 +164,9 @@ private fun standing(
 ): String {
     val fault = one.fault
     return when {
-        one.dueAt == null -> texts.say("lti.state.sent", one.sentAt?.forPeople().orEmpty())
+        one.dueAt == null -> texts.say("lti.state.sent", one.sentAt?.let(texts::minute).orEmpty())
         fault == null -> texts.say("lti.state.waiting")
-        fault.all { it.isDigit() } -> texts.say("lti.state.status", fault, one.dueAt.forPeople())
-        else -> texts.say("lti.state.$fault", one.dueAt.forPeople())
+        fault.all { it.isDigit() } -> texts.say("lti.state.status", fault, texts.minute(one.dueAt))
+        else -> texts.say("lti.state.$fault", texts.minute(one.dueAt))
     }
 }

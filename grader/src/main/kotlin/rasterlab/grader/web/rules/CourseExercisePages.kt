@@ -38,7 +38,6 @@ import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.Refused
 import rasterlab.grader.web.courseOf
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.instructorHere
 import rasterlab.grader.web.problem
 import rasterlab.grader.web.receiveForm
@@ -168,8 +167,8 @@ private class ExerciseTable(
     ) {
         val title = exercise.title(texts.language)
         td { if (changing) a(rulesAddress(course, exercise)) { +title } else +title }
-        td { +rules.opens?.forPeople(rules.zone).orEmpty() }
-        td { +rules.due?.forPeople(rules.zone).orEmpty() }
+        td { +rules.opens?.let(texts::time).orEmpty() }
+        td { +rules.due?.let(texts::time).orEmpty() }
         td { +rules.lateDays?.toString().orEmpty() }
         td { +rules.attempts?.toString().orEmpty() }
         td { +texts.say("rules.policy.${rules.policy.code}") }

@@ -41,7 +41,6 @@ import rasterlab.grader.similarity.written
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.classroom.waysOfClass
 import rasterlab.grader.web.courseOf
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.instructorHere
 import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.scrolling
@@ -185,7 +184,7 @@ private fun FlowContent.programSource(
     alike: Set<Int>,
 ) = section {
     h2 { a("/submissions/${one.submission}") { +one.name } }
-    p { +"${one.course}, ${one.receivedAt.forPeople()} UTC" }
+    p { +"${one.course}, ${texts.time(one.receivedAt)}" }
     ol("source") {
         one.source.removeSuffix("\n").lineSequence().forEachIndexed { index, line ->
             li("in-both".takeIf { index + 1 in alike }) {

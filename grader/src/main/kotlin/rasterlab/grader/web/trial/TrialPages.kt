@@ -44,7 +44,6 @@ import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.editor
-import rasterlab.grader.web.forPeople
 import rasterlab.grader.web.problem
 import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondFragment
@@ -158,7 +157,7 @@ private suspend fun ApplicationCall.respondTrial(
         }
         p("plan") {
             val by = trial.by.ifEmpty { texts.say("staff.role.instructor") }
-            +texts.say("trial.by", by, trial.begunAt.forPeople())
+            +texts.say("trial.by", by, texts.time(trial.begunAt))
         }
         div {
             id = "live"
@@ -217,7 +216,7 @@ private fun FlowContent.others(
         trials.forEach { one ->
             li {
                 val by = one.by.ifEmpty { texts.say("staff.role.instructor") }
-                a(address(one)) { +texts.say("trial.by", by, one.begunAt.forPeople()) }
+                a(address(one)) { +texts.say("trial.by", by, texts.time(one.begunAt)) }
                 +" "
                 status(texts, one.verdict, one.state.code)
             }

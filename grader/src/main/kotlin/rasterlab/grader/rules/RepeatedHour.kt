@@ -1,0 +1,47 @@
+package rasterlab.grader.rules
+
+import rasterlab.grader.wording.Wording
+import java.time.Instant
+import java.time.ZoneId
+import java.time.ZonedDateTime
+import java.util.Locale
+
+/** A moment of an hour that the clocks of its zone show twice, since they are set back after it. */
+class RepeatedHour private constructor(
+    private val field: String,
+    private val at: ZonedDateTime,
+) {
+    /** Tells which of the two it is. */
+    fun said(language: Locale): String {
+        val isLater = at.withLaterOffsetAtOverlap() == at
+        return Wording("rasterlab.grader.problem.rules", language).say(
+            if (isLater) "twice.later" else "twice.earlier",
+            field,
+            "${at.toLocalDateTime()}",
+            at.zone.named(),
+            "${at.toOffsetDateTime()}",
+        )
+    }
+
+    companion object {
+        /** Those of the moments, each with the name of its field, whose time of day comes twice. */
+        fun among(
+            zone: ZoneId,
+            vararg moments: Pair<String, Instant?>,
+        ): List<RepeatedHour> =
+            moments.mapNotNull { (field, moment) ->
+                val at = moment?.atZone(zone)
+                if (at == null ||
+                    zone.rules.getValidOffsets(at.toLocalDateTime()).size < 2
+                ) {
+                    null
+                } else {
+                    RepeatedHour(field, at)
+                }
+            }
+
+        /** Those of the rules of an exercise. */
+        fun among(rules: ExerciseRules): List<RepeatedHour> =
+            among(rules.zone, RuleField.OPENS.code to rules.opens, RuleField.DEADLINE.code to rules.due)
+    }
+}
