@@ -15,10 +15,10 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.KeptExercises
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.institution.InstitutionSettings
+import rasterlab.grader.limits.IntakeLimits
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.DataFolder
-import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.SpeedBands
 import java.io.IOException

@@ -63,7 +63,6 @@ import rasterlab.grader.exercise.exercises
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.hints
-import rasterlab.grader.institution.InstitutionSettings
 import rasterlab.grader.institution.InstitutionSignIn
 import rasterlab.grader.limits.limit
 import rasterlab.grader.lti.Lti
@@ -81,9 +80,11 @@ import rasterlab.grader.report.grades
 import rasterlab.grader.report.results
 import rasterlab.grader.rules.CourseClones
 import rasterlab.grader.rules.CourseExercises
+import rasterlab.grader.rules.CourseLimits
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.clones
 import rasterlab.grader.rules.courseExercises
+import rasterlab.grader.rules.courseLimits
 import rasterlab.grader.rules.exerciseRules
 import rasterlab.grader.rules.tellZones
 import rasterlab.grader.similarity.Similar
@@ -95,7 +96,6 @@ import rasterlab.grader.submission.Attempts
 import rasterlab.grader.submission.Choices
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
-import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Marks
@@ -138,32 +138,7 @@ import rasterlab.grader.worker.Presence
 import rasterlab.grader.worker.Worker
 import rasterlab.grader.worker.Workers
 import rasterlab.grader.worker.workers
-import java.net.InetAddress
-import java.net.URI
 import java.time.InstantSource
-import kotlin.time.Duration.Companion.seconds
-
-/**
- * @param workers submissions graded at the same time; on two cores one, so that measured speeds mean something
- * @param entriesPerMinute joins and sign-ins from one address; a class behind one router joins at once
- * @param proxies whose word on whom they forward for is believed
- * @param encrypted whether the server's own connections are
- * @param bodyPatience how long the body of a request may take to arrive
- * @param name which no other process has that uses the database
- * @param institution how people sign in by it; null where they do not
- * @param publicAddress of the server as browsers have it; null where each request tells it
- */
-data class ServerSettings(
-    val workers: Int = 1,
-    val intake: IntakeLimits = IntakeLimits(),
-    val entriesPerMinute: Int = 120,
-    val bodyPatience: kotlin.time.Duration = 20.seconds,
-    val proxies: Set<InetAddress> = emptySet(),
-    val encrypted: Boolean = false,
-    val name: String = Leases.ONE_SERVER,
-    val institution: InstitutionSettings? = null,
-    val publicAddress: URI? = null,
-)
 
 /**
  * The grading server without its socket: what it is made of, and how the parts are joined.
@@ -191,6 +166,7 @@ class Server(
     private val audit = Audit(database)
     private val rules = CourseRules(database, clock)
     private val chosen = CourseExercises(database, exercises.all.map { it.id() }, clock)
+    private val limits = CourseLimits(database, settings.intake, clock)
     private val roster = RosterImport(database, clock)
     private val marks = Marks(database)
     private val grades = Grades(courses, marks, exercises, chosen)
@@ -328,7 +304,7 @@ class Server(
         platformPages(accounts, lti)
         scorePages(accounts, courses, exercises, lti)
         gradesPages(accounts, grades)
-        courseExercisePages(accounts, courses, exercises, chosen, rules)
+        courseExercisePages(accounts, courses, exercises, chosen, rules, limits)
         examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
         similarPages(accounts, courses, exercises, similar)
         errorPages(accounts, courses, exercises, last, groupComments)
@@ -354,6 +330,7 @@ class Server(
                 exercises(exercises, ::closedTo, sheets::starter, rules::of, submissions::standingOf)
                 exerciseRules(courses, rules, chosen, exercises.all.map { it.id() }) { exercises.named(it) }
                 courseExercises(courses, chosen)
+                courseLimits(courses, limits)
                 clones(courses, clones)
                 regrades(courses, exercises, regrades, queue, live)
                 studentRecords(records, exercises::ending)

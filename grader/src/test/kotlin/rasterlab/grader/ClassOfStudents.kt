@@ -5,9 +5,9 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
+import rasterlab.grader.limits.IntakeLimits
 import rasterlab.grader.storage.Database
 import rasterlab.grader.submission.Intake
-import rasterlab.grader.submission.IntakeLimits
 import java.time.InstantSource
 
 /** Students of one course who hand in, without a server. */

@@ -47,6 +47,7 @@ class CourseClones(
                     CourseRules.store(handle, made, exercise, rules.movedBy(shift))
                 }
                 CourseExercises.copy(handle, from, made)
+                CourseLimits.copy(handle, from, made)
                 copyToo(handle, from, made)
                 AuditNote(by, made.id, "clone", from.id, "$shift days").write(handle, clock.instant())
                 request.remember(handle, made.id, clock.instant())

@@ -5,8 +5,10 @@ import org.jdbi.v3.core.statement.Query
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Identity
 import rasterlab.grader.limits.Allowance
+import rasterlab.grader.limits.IntakeLimits
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.rules.Arrival
+import rasterlab.grader.rules.CourseLimits
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.Database
@@ -17,17 +19,6 @@ import rasterlab.grader.storage.text
 import java.time.Duration
 import java.time.Instant
 import java.time.InstantSource
-
-/**
- * How much one student may hand in.
- *
- * @param waiting submissions not graded yet, so that nobody fills the queue for the others
- * @param perMinute submissions received within a minute
- */
-data class IntakeLimits(
-    val waiting: Int = 5,
-    val perMinute: Int = 20,
-)
 
 /**
  * A submission that is stored.
@@ -41,10 +32,14 @@ data class Accepted(
     val allowance: Allowance,
 )
 
-/** Stores submissions: when [accept] returns, the submission is on the disk. */
+/**
+ * Stores submissions: when [accept] returns, the submission is on the disk.
+ *
+ * @param most what the server allows, of which a course may allow less
+ */
 class Intake(
     private val database: Database,
-    private val limits: IntakeLimits,
+    private val most: IntakeLimits,
     private val clock: InstantSource,
 ) {
     private val together = SharedWrites(database)
@@ -183,6 +178,7 @@ class Intake(
         student: String,
         allowance: Allowance,
     ) {
+        val limits = CourseLimits.of(handle, student, most)
         val waiting = count(student, handle.createQuery("$COUNT AND state <> 'done'"))
         if (waiting >= limits.waiting) throw Rejection.TooManyQueued(limits.waiting, WAIT_SECONDS, allowance)
         if (allowance.left == 0) throw Rejection.TooFast(allowance)
@@ -205,11 +201,12 @@ class Intake(
                 .bind("now", now.text())
                 .mapTo(String::class.java)
                 .list()
-        // Where fewer may come than before a restart, more than one has to leave the minute first.
-        val left = maxOf(limits.perMinute - lately.size, 0)
-        val first = lately.getOrNull(maxOf(lately.size - limits.perMinute, 0))
+        // Where fewer may come than a minute before, more than one has to leave the minute first.
+        val allowed = CourseLimits.of(handle, student, most).perMinute
+        val left = maxOf(allowed - lately.size, 0)
+        val first = lately.getOrNull(maxOf(lately.size - allowed, 0))
         val refill = first?.let { Duration.between(now, Instant.parse(it) + MINUTE) } ?: Duration.ZERO
-        return Allowance(limits.perMinute, left, MINUTE, refill)
+        return Allowance(allowed, left, MINUTE, refill)
     }
 
     private fun count(

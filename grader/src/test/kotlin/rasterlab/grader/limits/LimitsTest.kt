@@ -1,9 +1,11 @@
 package rasterlab.grader.limits
 
 import io.ktor.client.request.header
+import io.ktor.client.request.patch
 import io.ktor.client.request.post
 import io.ktor.client.request.setBody
 import io.ktor.client.statement.HttpResponse
+import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -17,10 +19,13 @@ import rasterlab.grader.Classroom
 import rasterlab.grader.ServerSettings
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
+import rasterlab.grader.bearer
 import rasterlab.grader.commandLine
 import rasterlab.grader.cookieOf
 import rasterlab.grader.json
-import rasterlab.grader.submission.IntakeLimits
+import rasterlab.grader.one
+import rasterlab.grader.sendForm
+import rasterlab.grader.text
 import java.io.PrintWriter
 import java.io.StringWriter
 import java.nio.file.Path
@@ -75,6 +80,66 @@ class LimitsTest {
             refused.assertProblem(429, "too-many-queued")
             assertEquals(listOf("9;w=60", "9", "8", "60", "5"), refused.told())
         }
+
+    @Test
+    @DisplayName("a course's own limit does not hold, holds elsewhere, or asks for more than the server allows")
+    fun aCourseAllowsLess() =
+        room(IntakeLimits(waiting = 9, perMinute = 8)).open(grades = false) {
+            val course = newCourse()
+            val (ada, elsewhere) = newStudent(course) to newStudent()
+            assertEquals(STANDARD, limits(course, "{}").bodyAsText())
+            val set = limits(course, """{"submissionsPerMinute":2,"waiting":"3"}""").bodyAsText()
+            assertEquals(
+                STANDARD.replace("submissionsPerMinute\":8,\"waiting\":9", "submissionsPerMinute\":2,\"waiting\":3"),
+                set,
+            )
+            assertEquals(set, look(instructor, "/api/v1/courses/$course/limits").bodyAsText())
+            assertEquals(listOf("2", "8"), listOf(ada, elsewhere).map { handIn(it, 1).headers["RateLimit-Limit"] })
+            handIn(ada, 2)
+            handIn(ada, 3).assertProblem(429, "too-fast")
+            now += Duration.ofMinutes(1)
+            handIn(ada, 4)
+            handIn(ada, 5).assertProblem(429, "too-many-queued")
+            for (wrong in listOf("9", "0", "\"x\"", "2.5")) {
+                limits(course, """{"submissionsPerMinute":$wrong}""").assertProblem(422, "bad-rule")
+            }
+            limits(course, """{"perMinute":3}""").assertProblem(400, "malformed-request")
+            limits(course, """{"waiting":3}""", ada).assertProblem(403, "wrong-role")
+            assertEquals(set, look(instructor, "/api/v1/courses/$course/limits").bodyAsText())
+            assertEquals("submissionsPerMinute 2, waiting 3", one("SELECT detail FROM audit WHERE action = 'limits'"))
+            assertEquals(STANDARD, limits(course, """{"submissionsPerMinute":null,"waiting":null}""").bodyAsText())
+        }
+
+    @Test
+    @DisplayName(
+        "the page does not set a course's limits, loses what was typed where it is refused, or a clone has others",
+    )
+    fun thePageSetsThem() =
+        room(IntakeLimits(waiting = 9, perMinute = 8)).open(grades = false) {
+            val course = newCourse()
+            val address = "/instructor/courses/$course"
+            assertEquals(302, sendForm("$address/limits", "submissionsPerMinute=2&waiting=").status.value)
+            val refused = sendForm("$address/limits", "submissionsPerMinute=77&waiting=1")
+            assertEquals(422, refused.status.value)
+            assertTrue("value=\"77\"" in refused.bodyAsText())
+            val clone =
+                client.post("/api/v1/courses/$course/clone") {
+                    bearer(instructor)
+                    json("""{"name":"Next year","days":364}""")
+                }
+            assertEquals(201, clone.status.value)
+            val copied = look(instructor, "/api/v1/courses/${clone.json().text("course")}/limits").bodyAsText()
+            assertEquals(STANDARD.replace("submissionsPerMinute\":8", "submissionsPerMinute\":2"), copied)
+        }
+
+    private suspend fun Visit.limits(
+        course: String,
+        body: String,
+        by: String = instructor,
+    ) = client.patch("/api/v1/courses/$course/limits") {
+        bearer(by)
+        json(body)
+    }
 
     @Test
     @DisplayName("a request that is repeated costs another one, or tells nothing")
@@ -141,6 +206,7 @@ class LimitsTest {
     }
 
     private companion object {
+        const val STANDARD = """{"submissionsPerMinute":8,"waiting":9,"mostPerMinute":8,"mostWaiting":9}"""
         val NAMES =
             listOf(
                 "RateLimit-Policy",

@@ -18,6 +18,7 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.limits.IntakeLimits
 import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
 import java.nio.file.Path

@@ -14,6 +14,7 @@ import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.limits.IntakeLimits
 import rasterlab.grader.postgres.TestDatabases
 import rasterlab.grader.storage.Database
 import java.nio.file.Path

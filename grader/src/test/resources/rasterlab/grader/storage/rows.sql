@@ -117,3 +117,5 @@ VALUES ('j', 'hash of j', '2026-03-09T08:00:00.000Z', 'Jo', 'instructor', 'c');
 -- since 31
 INSERT INTO regrades (id, course_id, exercise, revision, choice, is_dry, state, account_id, begun_at, case_name, earns_stability)
 VALUES ('f', 'c', 'draw-dot', 'r1', 'some', 0, 'grading', 'i', '2026-03-10T08:00:00.000Z', 'steep', 1);
+-- since 32
+INSERT INTO course_limits (course_id, per_minute, waiting) VALUES ('c', 3, NULL);

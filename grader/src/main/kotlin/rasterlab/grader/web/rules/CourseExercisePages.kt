@@ -2,6 +2,7 @@
 package rasterlab.grader.web.rules
 
 import io.ktor.http.HttpStatusCode
+import io.ktor.http.Parameters
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.respondRedirect
 import io.ktor.server.routing.Route
@@ -15,8 +16,12 @@ import kotlinx.html.ThScope
 import kotlinx.html.a
 import kotlinx.html.button
 import kotlinx.html.form
+import kotlinx.html.h2
+import kotlinx.html.id
 import kotlinx.html.input
+import kotlinx.html.label
 import kotlinx.html.p
+import kotlinx.html.section
 import kotlinx.html.table
 import kotlinx.html.tbody
 import kotlinx.html.td
@@ -30,8 +35,10 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.rules.CourseExercises
+import rasterlab.grader.rules.CourseLimits
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.ExerciseRules
+import rasterlab.grader.rules.LimitField
 import rasterlab.grader.rules.RuleField
 import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
@@ -55,24 +62,29 @@ fun Route.courseExercisePages(
     exercises: Exercises,
     chosen: CourseExercises,
     rules: CourseRules,
+    limits: CourseLimits,
 ) {
     get("/instructor/courses/{course}/exercises") {
         val who = call.staffHere(accounts)
-        ExerciseTable(call.courseOf(courses), exercises, chosen, rules).show(call, who, refused = null)
+        ExerciseTable(call.courseOf(courses), exercises, chosen, rules, limits).show(call, who, refused = null)
     }
     post("/instructor/courses/{course}/exercises") {
         call.requireOwnForm()
         val who = call.instructorHere(accounts)
-        val table = ExerciseTable(call.courseOf(courses), exercises, chosen, rules)
+        val table = ExerciseTable(call.courseOf(courses), exercises, chosen, rules, limits)
         val form = call.receiveForm()
-        call.attributes.put(
-            FORM_AGAIN,
-            FormAgain { status, code, added ->
-                table.show(call, who, Refused(status, code, added(call.texts().language)))
-            },
-        )
+        table.showAgain(call, who, form)
         chosen.choose(table.course, if ("all" in form) null else form.getAll("exercise").orEmpty(), who.id)
         call.respondRedirect(table.address)
+    }
+    post("/instructor/courses/{course}/limits") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val table = ExerciseTable(call.courseOf(courses), exercises, chosen, rules, limits)
+        val form = call.receiveForm()
+        table.showAgain(call, who, form)
+        limits.change(table.course, LimitField.entries.associateWith { form[it.code].orEmpty() }, who.id)
+        call.respondRedirect("${table.address}#limits")
     }
 }
 
@@ -81,20 +93,64 @@ private class ExerciseTable(
     private val exercises: Exercises,
     private val chosen: CourseExercises,
     private val rules: CourseRules,
+    private val limits: CourseLimits,
 ) {
     val address = "/instructor/courses/${course.id}/exercises"
+
+    /** Sees that what was typed stands in its fields again where it is refused. */
+    fun showAgain(
+        call: ApplicationCall,
+        who: Identity.StaffIdentity,
+        form: Parameters,
+    ) = call.attributes.put(
+        FORM_AGAIN,
+        FormAgain { status, code, added -> show(call, who, Refused(status, code, added(call.texts().language)), form) },
+    )
 
     suspend fun show(
         call: ApplicationCall,
         who: Identity.StaffIdentity,
         refused: Refused?,
+        typed: Parameters? = null,
     ) {
         val texts = call.texts()
         val status = refused?.status ?: HttpStatusCode.OK
         call.respondPage(texts, who, texts.say("rules.title", course.name), status) {
             refused?.let { problem(texts, it.status, it.code, it.details) }
-            p { a("/instructor") { +texts.say("token.back") } }
+            p("ways") {
+                a("/instructor") { +texts.say("token.back") }
+                if (who is Identity.Instructor) a("#limits") { +texts.say("limits.heading") }
+            }
             if (who is Identity.Instructor) choice(texts) else rows(texts, choosing = false)
+            if (who is Identity.Instructor) limits(texts, typed)
+        }
+    }
+
+    private fun FlowContent.limits(
+        texts: PageTexts,
+        typed: Parameters?,
+    ) = section("card") {
+        id = "limits"
+        val own = limits.of(course).own
+        val most = limits.most
+        h2 { +texts.say("limits.heading") }
+        p { +texts.say("limits.about", most.perMinute, most.waiting) }
+        form("/instructor/courses/${course.id}/limits", method = FormMethod.post) {
+            for ((field, allowed) in listOf(
+                LimitField.PER_MINUTE to most.perMinute,
+                LimitField.WAITING to most.waiting,
+            )) {
+                label {
+                    +texts.say("limits.${field.code}")
+                    input(InputType.number, name = field.code) {
+                        min = "1"
+                        max = "$allowed"
+                        placeholder = "$allowed"
+                        value = typed?.get(field.code) ?: own[field]?.toString().orEmpty()
+                    }
+                }
+            }
+            button { +texts.say("limits.save") }
         }
     }
 
