@@ -22,7 +22,7 @@ private data class AddedAnswer(
 )
 
 @Serializable
-private data class ChangeAnswer(
+private data class RosterChangeAnswer(
     val field: String,
     val from: String?,
     val to: String,
@@ -36,7 +36,7 @@ private data class CorrectedAnswer(
     val idNumber: String?,
     val email: String?,
     val fields: List<String>,
-    val changes: List<ChangeAnswer>,
+    val changes: List<RosterChangeAnswer>,
 )
 
 @Serializable
@@ -89,5 +89,5 @@ private fun corrected(one: RosterCorrection) =
         one.known.idNumber,
         one.known.email,
         one.changes.map { it.field },
-        one.changes.map { ChangeAnswer(it.field, it.from, it.to) },
+        one.changes.map { RosterChangeAnswer(it.field, it.from, it.to) },
     )

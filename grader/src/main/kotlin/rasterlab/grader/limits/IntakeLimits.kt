@@ -10,6 +10,6 @@ data class IntakeLimits(
     val waiting: Int = 5,
     val perMinute: Int = 20,
 ) {
-    /** These, where they ask for no more than [others]. */
+    /** Lowers each to what [others] allow. */
     fun atMost(others: IntakeLimits) = IntakeLimits(minOf(waiting, others.waiting), minOf(perMinute, others.perMinute))
 }

@@ -9,7 +9,7 @@ import rasterlab.grader.storage.Database
 import java.time.InstantSource
 import kotlin.jvm.optionals.getOrNull
 
-/** What an instructor may set of how much one student hands in, by its name in the HTTP API. */
+/** Names the limits that an instructor may set, as in the HTTP API. */
 enum class LimitField(
     val code: String,
 ) {
@@ -18,7 +18,7 @@ enum class LimitField(
 }
 
 /**
- * What holds in a course.
+ * Limits that hold in a course.
  *
  * @param own what was set there; null for what the server allows
  */
@@ -81,7 +81,7 @@ class CourseLimits(
     }
 
     companion object {
-        /** What holds for a student, within the transaction of [handle]. */
+        /** Reads what holds for a student, within the transaction of [handle]. */
         internal fun of(
             handle: Handle,
             student: String,

@@ -11,7 +11,7 @@ import rasterlab.grader.course.staff
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 
-/** What holds for each student of the course, and the most that the server allows. */
+/** Tells what holds for each student of the course, and the most that the server allows. */
 @Serializable
 private data class LimitsAnswer(
     val submissionsPerMinute: Int,

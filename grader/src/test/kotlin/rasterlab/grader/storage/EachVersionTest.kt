@@ -170,7 +170,7 @@ class EachVersionTest {
             if (postgres.isInitialized()) postgres.value.close()
         }
 
-        /** Those that both databases share, from the twelfth on. */
+        /** Lists the versions whose scripts both databases share, from the twelfth on. */
         @JvmStatic
         fun versions(): List<String> {
             val first = checkNotNull(Tables::class.java.getResource("shared/V12__course_life.sql"))
