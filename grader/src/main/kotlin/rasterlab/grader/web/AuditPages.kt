@@ -4,21 +4,13 @@ import io.ktor.server.application.ApplicationCall
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import kotlinx.html.FlowContent
-import kotlinx.html.ThScope
 import kotlinx.html.a
 import kotlinx.html.p
-import kotlinx.html.table
-import kotlinx.html.tbody
-import kotlinx.html.td
-import kotlinx.html.th
-import kotlinx.html.thead
-import kotlinx.html.tr
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.AuditEntry
 import rasterlab.grader.course.AuditPage
 import rasterlab.grader.course.Identity
-import rasterlab.grader.course.StaffRole
 
 /** Shows an instructor what staff changed, the latest first, a page at a time. */
 fun Route.auditPages(
@@ -50,28 +42,17 @@ private suspend fun ApplicationCall.respondAudit(
 private fun FlowContent.changeTable(
     texts: PageTexts,
     entries: List<AuditEntry>,
-) = scrolling(texts.say("audit.title")) {
-    table("students") {
-        thead {
-            tr {
-                listOf("when", "who", "what", "subject", "course", "detail").forEach {
-                    th(scope = ThScope.col) { +texts.say("audit.column.$it") }
-                }
-            }
-        }
-        tbody {
-            entries.forEach { one ->
-                tr {
-                    td { moment(texts, one.notedAt) }
-                    td { +texts.doer(one) }
-                    td { +texts.action(one.action) }
-                    td { subject(one) }
-                    td { +one.course.orEmpty() }
-                    td { if (one.detail != one.subjectName) +texts.detail(one) }
-                }
-            }
-        }
-    }
+) {
+    val columns: List<Pair<String, FlowContent.(AuditEntry) -> Unit>> =
+        listOf(
+            "when" to { moment(texts, it.notedAt) },
+            "who" to { +texts.doer(it) },
+            "what" to { +texts.action(it.action) },
+            "subject" to { subject(it) },
+            "course" to { +(it.course ?: "–") },
+            "detail" to { +(if (it.detail == it.subjectName) "–" else texts.detail(it).ifEmpty { "–" }) },
+        )
+    stacked(columns.map { (name, content) -> texts.say("audit.column.$name") to content }, entries)
 }
 
 private fun FlowContent.subject(one: AuditEntry) {
@@ -88,9 +69,6 @@ private fun FlowContent.subject(one: AuditEntry) {
         else -> +name
     }
 }
-
-private fun PageTexts.detail(one: AuditEntry): String =
-    if (StaffRole.entries.any { it.code == one.detail }) say("staff.role.${one.detail}") else one.detail
 
 private fun PageTexts.doer(one: AuditEntry): String =
     when {

@@ -45,6 +45,9 @@ class PageTexts private constructor(
     /** The name of a kind of picture; the kind itself where there is none. */
     fun picture(kind: String): String = if (wording.has("picture.$kind")) say("picture.$kind") else kind
 
+    /** The first text that there is; null where there is none. */
+    internal fun firstOf(vararg keys: String): String? = keys.firstOrNull(wording::has)?.let { say(it) }
+
     /** The name of a change that was noted; the word of the note where there is none. */
     fun action(word: String): String = if (wording.has("audit.action.$word")) say("audit.action.$word") else word
 

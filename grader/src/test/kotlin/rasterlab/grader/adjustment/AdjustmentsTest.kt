@@ -65,7 +65,7 @@ class AdjustmentsTest {
             val noted = "SELECT action || ' ' || detail FROM audit WHERE action LIKE 'points%' ORDER BY noted_at, rowid"
             assertEquals(notes, texts(noted))
             val changes = show("/instructor/audit", instructor)
-            assertTrue("<td>points by hand taken back</td>" in changes, changes)
+            assertTrue("<div>points by hand taken back</div>" in changes, changes)
             assertTrue("""<a href="/submissions/$id">Ada</a>""" in changes, changes)
         }
 

@@ -1,0 +1,66 @@
+package rasterlab.grader.web
+
+import rasterlab.grader.course.AuditEntry
+import rasterlab.grader.course.StaffRole
+import java.time.DateTimeException
+import java.time.Instant
+
+private val COUNTS = Regex("[a-z]+ (-?\\d+), [a-z]+ (-?\\d+)")
+private val DAYS = Regex("(-?\\d+) days")
+private val POINTS = Regex("(-?\\d+), before (-?\\d+)")
+private val REGRADED = Regex("\\S+ ([a-z]+) (\\d+)")
+private val CHANGE = Regex("([a-zA-Z]+): (.*)")
+private val NEXT_CHANGE = Regex(", (?=[a-zA-Z]+: )")
+
+/** Tells more of a change in the words of the page; what was noted, in English, where there are none for it. */
+internal fun PageTexts.detail(one: AuditEntry): String =
+    when (one.action) {
+        "roster" -> told(one, COUNTS, "roster")
+        "export", "delete" -> told(one, COUNTS, "student")
+        "clone" -> told(one, DAYS, "clone")
+        "regrade" -> regraded(one.detail)
+        "points" -> told(one, POINTS, "points")
+        "rules" -> changes(one, "rules")
+        "exam-change" -> changes(one, "exams")
+        "staff-add", "staff-token", "staff-revoke" -> role(one.detail)
+        "staff-course" -> one.detail.split(" → ").joinToString(" → ") { if (it == "*") say("staff.course.all") else it }
+        else -> one.detail
+    }
+
+private fun PageTexts.told(
+    one: AuditEntry,
+    form: Regex,
+    word: String,
+): String {
+    val numbers = form.matchEntire(one.detail)?.groupValues?.drop(1) ?: return one.detail
+    return say("audit.detail.$word", *numbers.map { it.replace('-', '−') }.toTypedArray())
+}
+
+private fun PageTexts.regraded(text: String): String {
+    val (choice, count) = REGRADED.matchEntire(text)?.destructured ?: return text
+    return say("audit.detail.regrade", firstOf("regrade.of.$choice") ?: choice, count)
+}
+
+/** Tells fields that were changed, each as it was and as it is, by the names that they have on the page of [kind]. */
+private fun PageTexts.changes(
+    one: AuditEntry,
+    kind: String,
+): String =
+    one.detail.split(NEXT_CHANGE).joinToString("; ") { change ->
+        val (field, values) = CHANGE.matchEntire(change)?.destructured ?: return@joinToString change
+        val name = firstOf("audit.field.$field", "$kind.column.$field", "$kind.$field") ?: field
+        "$name: " + values.split(" → ").joinToString(" → ") { firstOf("$kind.$field.$it") ?: moment(it) }
+    }
+
+private fun PageTexts.moment(text: String): String =
+    try {
+        time(Instant.parse(text))
+    } catch (other: DateTimeException) {
+        text
+    }
+
+private fun PageTexts.role(text: String): String {
+    val code = text.substringBefore(", ")
+    if (StaffRole.entries.none { it.code == code }) return text
+    return say("staff.role.$code") + text.removePrefix(code)
+}

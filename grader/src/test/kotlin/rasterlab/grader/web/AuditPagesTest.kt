@@ -1,0 +1,94 @@
+package rasterlab.grader.web
+
+import io.ktor.client.request.get
+import io.ktor.client.request.header
+import io.ktor.client.request.patch
+import io.ktor.client.request.post
+import io.ktor.client.request.setBody
+import io.ktor.client.statement.bodyAsText
+import io.ktor.http.HttpHeaders
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import rasterlab.grader.Classroom
+import rasterlab.grader.Visit
+import rasterlab.grader.bearer
+import rasterlab.grader.cookieOf
+import rasterlab.grader.json
+import rasterlab.grader.sendForm
+import java.nio.file.Path
+
+/** The page of what was changed. */
+@Tag("slow")
+class AuditPagesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    @DisplayName("a detail is English on the Russian page, or a moment in it is another than the course's zone has")
+    fun tellsDetailsInTheLanguageOfThePage() =
+        Classroom(folder).open(grades = false) {
+            change()
+            val page = show("ru")
+            val said =
+                listOf(
+                    "добавлено: 2, исправлено: 0",
+                    "Срок сдачи: – → 2027-03-02 23:59 Europe/Moscow; Часовой пояс: UTC → Europe/Moscow",
+                    "Что засчитывается: лучшая попытка → последняя попытка",
+                    "сдвиг в\u00a0днях: 7",
+                    "Ассистент, Graphics",
+                )
+            for (one in said) assertTrue(one in page, "$one: $page")
+            for (word in listOf("added", "corrected", "deadline", "days", "assistant")) {
+                assertFalse(Regex("<div>[^<]*\\b$word\\b").containsMatchIn(page), "$word: $page")
+            }
+        }
+
+    @Test
+    @DisplayName("a phone shows a cell without the name of its column")
+    fun namesTheColumnInEachCell() =
+        Classroom(folder).open(grades = false) {
+            change()
+            val page = show("en")
+            assertTrue("<table class=\"students stacked\">" in page, page)
+            val columns = listOf("When", "Who", "What", "Whom or what it is about", "Course", "Detail")
+            val cells = Regex("<td data-column=\"([^\"]*)\"").findAll(page).map { it.groupValues[1] }.toList()
+            val names = Regex("<th scope=\"col\">([^<]*)").findAll(page).map { it.groupValues[1] }.toList()
+            assertEquals(columns.size, names.size, page)
+            assertEquals(0, cells.size % names.size)
+            assertEquals(names, cells.take(names.size))
+        }
+
+    private suspend fun Visit.change() {
+        val course = newCourse()
+        client.post("/api/v1/courses/$course/roster") {
+            bearer(instructor)
+            header(HttpHeaders.ContentType, "text/csv")
+            setBody("Name\nAda\nGrace\n")
+        }
+        for (rules in listOf("""{"deadline":"2027-03-02T23:59","zone":"Europe/Moscow"}""", """{"policy":"last"}""")) {
+            client.patch("/api/v1/courses/$course/exercises/draw-dot") {
+                bearer(instructor)
+                json(rules)
+            }
+        }
+        client.post("/api/v1/courses/$course/clone") {
+            bearer(instructor)
+            json("""{"name":"Next year","days":7}""")
+        }
+        client.post("/api/v1/staff") {
+            bearer(instructor)
+            json("""{"name":"Alan","role":"assistant","course":"$course"}""")
+        }
+        sendForm("/instructor/courses/$course/exercises/draw-dot", "attempts=")
+    }
+
+    private suspend fun Visit.show(language: String): String {
+        val cookie = cookieOf(instructor)
+        return client.get("/instructor/audit?lang=$language") { header(HttpHeaders.Cookie, cookie) }.bodyAsText()
+    }
+}
