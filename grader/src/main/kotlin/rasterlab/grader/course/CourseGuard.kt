@@ -6,6 +6,8 @@ import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.call
 import io.ktor.server.request.httpMethod
+import io.ktor.server.routing.RoutingRoot
+import io.ktor.util.AttributeKey
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 
@@ -20,25 +22,30 @@ class CourseGuard(
 ) {
     private val addressed = AddressedCourse(database)
 
-    /** @throws Rejection of a thing that is not there for who calls, or of the role */
+    /**
+     * Lets a call through that may go on; one that may not is refused where the address turns out to be served, so that
+     * nobody is told of a role that an address would need which there is not.
+     *
+     * @throws Rejection of a thing that is not there for who calls
+     */
     fun pass(call: ApplicationCall) {
         val parts = call.addressParts()
         if (parts.firstOrNull() in FREE) return
         for (who in accounts.callers(call).filterIsInstance<Identity.StaffIdentity>()) {
-            who.onlyCourse?.let { requireOpen(it, call.request.httpMethod, parts) }
+            who.onlyCourse?.let { requireOpen(it, call, parts) }
         }
     }
 
     private fun requireOpen(
         course: String,
-        method: HttpMethod,
+        call: ApplicationCall,
         parts: List<String>,
     ) {
         val place = AddressedCourse.withoutApi(parts)
-        if (isForAll(place) || (method == HttpMethod.Get && place == COURSES)) return
+        if (isForAll(place) || (call.request.httpMethod == HttpMethod.Get && place == COURSES)) return
         val named = addressed.of(parts)
         if (named == null || AddressedCourse.within(parts).drop(2) == CLONE) {
-            throw Rejection.WrongRole("staff of all courses")
+            return call.attributes.put(CLOSED, Rejection.WrongRole("staff of all courses"))
         }
         if (named.course != course) throw named.missing
     }
@@ -73,5 +80,11 @@ class CourseGuard(
     }
 }
 
+/** Why a call is refused where its address is served. */
+private val CLOSED = AttributeKey<Rejection>("why the address is closed to who calls")
+
 /** Has [guard] look at each call before it is handled. */
-fun Application.guardCourses(guard: CourseGuard) = intercept(ApplicationCallPipeline.Plugins) { guard.pass(call) }
+fun Application.guardCourses(guard: CourseGuard) {
+    intercept(ApplicationCallPipeline.Plugins) { guard.pass(call) }
+    monitor.subscribe(RoutingRoot.RoutingCallStarted) { call -> call.attributes.getOrNull(CLOSED)?.let { throw it } }
+}

@@ -121,6 +121,9 @@ class Arrivals(
                 ?: if (platform.makesStaff) bindings.makeStaff(launch) else return LaunchStep.WhoAreYou(launch)
         val who = known(account)
         val course = bindings.courseOf(launch)
+        if (course != null && who is Identity.StaffIdentity && !who.teaches(course.id)) {
+            throw LtiRefused(LtiFault.OTHER_COURSE, "account $account does not teach course ${course.id}")
+        }
         return when {
             course != null && launch.wish != null -> LaunchStep.WhichExercises(launch, course, launch.wish)
             course != null -> entered(launch, who, course)

@@ -48,6 +48,9 @@ enum class LtiFault(
     /** No instructor has said yet which course here the platform's course is. */
     UNBOUND("lti-unbound"),
 
+    /** The platform's course is another one here than the single one that this person teaches. */
+    OTHER_COURSE("lti-other-course"),
+
     /** The access of this account was taken away here. */
     REVOKED("lti-revoked"),
 

@@ -304,6 +304,32 @@ class StaffTest {
             assertEquals("3", one("SELECT count(*) FROM audit WHERE action = 'staff-course'"))
         }
 
+    @Test
+    @DisplayName(
+        "staff of one course are told of a role where nothing is, or an address of all courses is open to them",
+    )
+    fun whatIsNowhereIsNotFound() =
+        Classroom(folder).open(grades = false) {
+            val code = newCourse()
+            val token = staffOf(code).json().text("token")
+            val cookie = cookieOf(token)
+            for (path in listOf("/instructor/none", "/none", "/instructor/staff/none/of/it")) {
+                val page = client.get(path) { header(HttpHeaders.Cookie, cookie) }
+                assertEquals(404, page.status.value, path)
+                look(token, "/api/v1$path").assertProblem(404, "not-found")
+            }
+            for (path in listOf(
+                "/instructor/staff",
+                "/instructor/audit",
+                "/instructor/exercises/draw-dot/similarity",
+            )) {
+                assertEquals(403, client.get(path) { header(HttpHeaders.Cookie, cookie) }.status.value, path)
+            }
+            look(token, "/api/v1/staff").assertProblem(403, "wrong-role")
+            assertEquals(403, sendForm("/instructor/courses", "name=Mine", by = token).status.value)
+            assertEquals("1", one("SELECT count(*) FROM courses"))
+        }
+
     private suspend fun Visit.staffOf(course: String) =
         client.post("/api/v1/staff") {
             bearer(instructor)

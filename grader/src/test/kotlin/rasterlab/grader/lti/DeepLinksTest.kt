@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
+import rasterlab.grader.one
 import java.nio.file.Path
 
 /** Links to exercises are chosen here and arrive at the platform, which knows them to be this server's by its key. */
@@ -115,6 +116,46 @@ class DeepLinksTest {
             assertEquals(400, launch(platform).status.value)
             asks(platform, settings + ("accept_types" to listOf("file")))
             assertEquals(400, launch(platform).status.value)
+        }
+
+    @Test
+    @DisplayName("staff of a single course link another course's exercises, or are let into that course")
+    fun staffOfAnotherCourseAreRefused() =
+        room { platform ->
+            database.write {
+                it.execute(
+                    "INSERT INTO courses (id, name, code, created_at) VALUES ('o', 'O', 'O', '2027')",
+                )
+            }
+            for (role in listOf("instructor", "assistant")) {
+                database.write { it.execute("UPDATE instructors SET role = '$role', course_id = 'o'") }
+                asks(platform, settings)
+                val refused = launch(platform)
+                assertEquals(403, refused.status.value, refused.bodyAsText())
+                assertTrue("You teach another course here" in refused.bodyAsText(), refused.bodyAsText())
+                platform.claims = {}
+                assertEquals(403, launch(platform).status.value)
+            }
+            val own = one("SELECT course_id FROM lti_contexts")
+            database.write { it.execute("UPDATE instructors SET role = 'instructor', course_id = '$own'") }
+            asks(platform, settings)
+            assertTrue("name=\"exercise\"" in launch(platform).bodyAsText())
+        }
+
+    @Test
+    @DisplayName("staff who got another course meanwhile still answer with links of the one before")
+    fun theQuestionIsNoTicket() =
+        room { platform ->
+            val page = launch(platform, frame = true)
+            database.write {
+                it.execute(
+                    "INSERT INTO courses (id, name, code, created_at) VALUES ('o', 'O', 'O', '2027')",
+                )
+            }
+            database.write { it.execute("UPDATE instructors SET course_id = 'o'") }
+            val answer = reply(page, "/lti/links", "exercise" to "draw-dot")
+            assertEquals(403, answer.status.value, answer.bodyAsText())
+            assertTrue("name=\"JWT\"" !in answer.bodyAsText())
         }
 
     private suspend fun verified(
