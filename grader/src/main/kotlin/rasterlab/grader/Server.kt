@@ -305,7 +305,7 @@ class Server(
         scorePages(accounts, courses, exercises, lti)
         gradesPages(accounts, grades)
         courseExercisePages(accounts, courses, exercises, chosen, rules, limits)
-        examPages(accounts, courses, exercises, exams, sittings, sheets::starter)
+        examPages(accounts, courses, exercises, exams, sittings, sheets)
         similarPages(accounts, courses, exercises, similar)
         errorPages(accounts, courses, exercises, last, groupComments)
         commentPages(accounts, courses, submissions, comments, keptComments, pageParts.resultPage)

@@ -9,6 +9,7 @@ import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Intake
+import rasterlab.grader.submission.SheetDraft
 import rasterlab.grader.submission.Submission
 import java.time.Instant
 import java.time.InstantSource
@@ -125,6 +126,7 @@ class Sittings(
     /**
      * Hands a text in.
      *
+     * @param draft the text that the student has of it, which is kept
      * @return the id of the submission
      */
     fun handIn(
@@ -133,11 +135,12 @@ class Sittings(
         source: String,
         key: String?,
         examinee: Examinee,
+        draft: String = source,
     ): String {
-        val sitting = keep(exam, exercise.id(), source, examinee)
+        val sitting = keep(exam, exercise.id(), draft, examinee)
         val id = intake.acceptAtExam(sitting.student, exercise, source, key, limited = true)
         database.write { handle ->
-            store(handle, sitting, exercise.id(), source, now(), handed = true)
+            store(handle, sitting, exercise.id(), draft, now(), handed = true)
             note(handle, sitting, now(), ExamEventKind.HAND_IN, examinee, handIn(exercise.id(), id))
         }
         handedIn(id)
@@ -201,7 +204,9 @@ class Sittings(
     ): Pair<ExamEventKind, String> =
         try {
             val key = "exam ${sitting.exam.id} ${Secrets.hash(draft.source)}"
-            val id = intake.acceptAtExam(sitting.student, exercises.named(exercise), draft.source, key, limited = false)
+            val named = exercises.named(exercise)
+            val source = SheetDraft.document(named, draft.source)
+            val id = intake.acceptAtExam(sitting.student, named, source, key, limited = false)
             handedIn(id)
             ExamEventKind.HAND_IN to id
         } catch (refusal: Rejection) {

@@ -97,6 +97,9 @@ class TypedSheet(
     /** The fields whose texts are no answer. */
     val faults: Map<String, AnswerFault> get() = found
 
+    /** The names of all fields. */
+    fun names(): List<String> = sheet.questions().flatMap { SheetField.of(it) }.flatMap { it.names }
+
     fun text(name: String): String = typed[name].orEmpty()
 
     /** The document that the API takes. */

@@ -1,6 +1,7 @@
 // The pages of exams: ExamPages for students, ExamDesk for staff.
 package rasterlab.grader.web.exam
 
+import io.ktor.http.HttpStatusCode
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.respondRedirect
 import io.ktor.server.response.respondText
@@ -9,10 +10,7 @@ import io.ktor.server.routing.get
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.html.FlowContent
-import kotlinx.html.FormEncType
 import kotlinx.html.FormMethod
-import kotlinx.html.InputType
-import kotlinx.html.a
 import kotlinx.html.article
 import kotlinx.html.button
 import kotlinx.html.details
@@ -20,8 +18,6 @@ import kotlinx.html.div
 import kotlinx.html.form
 import kotlinx.html.h2
 import kotlinx.html.id
-import kotlinx.html.input
-import kotlinx.html.label
 import kotlinx.html.p
 import kotlinx.html.role
 import kotlinx.html.script
@@ -33,8 +29,6 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.formula.Formulas
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
-import rasterlab.grader.course.Identity
-import rasterlab.grader.exam.Draft
 import rasterlab.grader.exam.Exam
 import rasterlab.grader.exam.Exams
 import rasterlab.grader.exam.Sitting
@@ -42,14 +36,17 @@ import rasterlab.grader.exam.SittingState
 import rasterlab.grader.exam.Sittings
 import rasterlab.grader.exam.examinee
 import rasterlab.grader.exercise.Exercises
-import rasterlab.grader.exercise.starterFile
 import rasterlab.grader.problem.Rejection
-import rasterlab.grader.storage.Secrets
 import rasterlab.grader.submission.FormField
 import rasterlab.grader.submission.HandedForm
+import rasterlab.grader.submission.SheetDraft
+import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.receiveFields
 import rasterlab.grader.submission.sourceOf
+import rasterlab.grader.web.FORM_AGAIN
+import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
+import rasterlab.grader.web.Refused
 import rasterlab.grader.web.VIEWED
 import rasterlab.grader.web.editor
 import rasterlab.grader.web.markdownAsHtml
@@ -63,22 +60,18 @@ import rasterlab.grader.web.texts
 private const val QUIET = "quiet"
 private const val EXAM_ROWS = 16
 
-/**
- * Serves what students do at exams: open one, write, hand in, end it; and what staff do with exams.
- *
- * @param starter what a student begins an exercise with
- */
+/** Serves what students do at exams: open one, write, hand in, end it; and what staff do with exams. */
 fun Route.examPages(
     accounts: Accounts,
     courses: Courses,
     exercises: Exercises,
     exams: Exams,
     sittings: Sittings,
-    starter: (Identity, Exercise) -> String,
+    sheets: Sheets,
 ) {
     examDesk(accounts, courses, exercises, exams, sittings)
     get("/exams") { call.respondExams(accounts, sittings) }
-    get("/exams/{exam}") { call.respondSitting(accounts, exercises, sittings, starter) }
+    get("/exams/{exam}") { call.respondSitting(accounts, exercises, sittings, sheets) }
     post("/exams/{exam}/open") {
         call.requireOwnForm()
         val exam = call.parameters.getOrFail("exam")
@@ -90,7 +83,7 @@ fun Route.examPages(
         val examinee = call.examinee(call.studentHere(accounts))
         val (exam, exercise) = listOf("exam", "id").map { call.parameters.getOrFail(it) }
         val fields = call.receiveFields()
-        val sitting = sittings.keep(exam, exercise, fields.draft(), examinee)
+        val sitting = sittings.keep(exam, exercise, fields.draft(exercises.named(exercise)), examinee)
         if (fields.text(QUIET).isEmpty()) {
             call.respondRedirect("/exams/$exam#$exercise")
         } else {
@@ -103,10 +96,20 @@ fun Route.examPages(
         val exam = call.parameters.getOrFail("exam")
         val exercise = exercises.named(call.parameters.getOrFail("id"))
         val fields = call.receiveFields()
-        val source = sourceOf(fields)
-        val once = fields.text(HandedForm.ONCE).takeIf { it.isNotEmpty() }
-        val key = once?.let { "page ${Secrets.hash("$it\n$source")}" }
-        sittings.handIn(exam, exercise, source, key, examinee)
+        val form = HandedForm.of(exercise, fields)
+        form.answers?.let { answers ->
+            sittings.keep(exam, exercise.id(), SheetDraft.text(answers), examinee)
+            call.attributes.put(
+                FORM_AGAIN,
+                FormAgain { status, code, added ->
+                    val refused = Refused(status, code, added(call.texts().language))
+                    call.respondSitting(accounts, exercises, sittings, sheets, exercise to refused)
+                },
+            )
+        }
+        val source = form.source()
+        val draft = form.answers?.let(SheetDraft::text) ?: source
+        sittings.handIn(exam, exercise, source, form.once(source), examinee, draft)
         call.respondRedirect("/exams/$exam#${exercise.id()}")
     }
     post("/exams/{exam}/end") {
@@ -118,8 +121,11 @@ fun Route.examPages(
 
 private fun List<FormField>.text(name: String) = firstOrNull { it.name == name }?.content?.decodeToString().orEmpty()
 
-/** The text of the form, which may be empty. */
-private fun List<FormField>.draft(): String = if (text("source").isBlank()) "" else sourceOf(this)
+/** The text of the form, or what is typed into the fields of a sheet; it may be empty. */
+private fun List<FormField>.draft(exercise: Exercise): String {
+    HandedForm.of(exercise, this).answers?.let { return SheetDraft.text(it) }
+    return if (text("source").isBlank()) "" else sourceOf(this)
+}
 
 private suspend fun ApplicationCall.respondExams(
     accounts: Accounts,
@@ -174,7 +180,8 @@ private suspend fun ApplicationCall.respondSitting(
     accounts: Accounts,
     exercises: Exercises,
     sittings: Sittings,
-    starter: (Identity, Exercise) -> String,
+    sheets: Sheets,
+    refused: Pair<Exercise, Refused>? = null,
 ) {
     val student = studentHere(accounts)
     // To enter an exam is noted, and begins a session.
@@ -188,7 +195,7 @@ private suspend fun ApplicationCall.respondSitting(
     val texts = texts()
     val drafts = sittings.drafts(sitting)
     val formulas = Formulas()
-    respondPage(texts, student, sitting.exam.name) {
+    respondPage(texts, student, sitting.exam.name, refused?.second?.status ?: HttpStatusCode.OK) {
         clock(texts, sitting, sitting.left(sittings.now()))
         sitting.exam.exercises.mapNotNull(exercises::find).forEach { exercise ->
             section("exam") {
@@ -204,7 +211,12 @@ private suspend fun ApplicationCall.respondSitting(
                         }
                     }
                     val draft = drafts[exercise.id()]
-                    work(texts, sitting, exercise, draft, draft?.source ?: starter(student, exercise))
+                    val sheet = sheet(sheets, student, exercise, draft)
+                    val why = refused?.second.takeIf { refused?.first?.id() == exercise.id() }
+                    work(texts, sitting, exercise, draft, sheet, why) {
+                        val text = draft?.source ?: sheets.starter(student, exercise)
+                        sourceField(texts.say("exam.text"), exercise.form().ending(), text, EXAM_ROWS)
+                    }
                 }
             }
         }
@@ -235,40 +247,3 @@ private fun FlowContent.clock(
         span("legend") { +texts.say("exam.ends", texts.time(it)) }
     }
 }
-
-private fun FlowContent.work(
-    texts: PageTexts,
-    sitting: Sitting,
-    exercise: Exercise,
-    draft: Draft?,
-    text: String,
-) = div("card") {
-    val address = "/exams/${sitting.exam.id}/exercises/${exercise.id()}"
-    p { a("/exercises/${exercise.id()}/starter") { +"${texts.say("exercise.starter")} (${exercise.starterFile()})" } }
-    form(address, encType = FormEncType.multipartFormData, method = FormMethod.post) {
-        attributes["data-draft"] = "$address/draft"
-        attributes["data-kept"] = "$address ${sitting.student}"
-        attributes["data-saved"] = texts.say("exam.saved")
-        attributes["data-failed"] = texts.say("exam.failed")
-        input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }
-        sourceField(texts.say("exam.text"), exercise.form().ending(), text, EXAM_ROWS)
-        p("legend status-line") {
-            role = "status"
-            +texts.say(stateOf(draft))
-        }
-        div("ways") {
-            button { +texts.say("exercise.submit.do") }
-            button(classes = "plain") {
-                formAction = "$address/draft"
-                +texts.say("exam.save")
-            }
-        }
-    }
-}
-
-private fun stateOf(draft: Draft?) =
-    when {
-        draft == null -> "exam.draft.none"
-        draft.handed -> "exam.draft.handed"
-        else -> "exam.draft.kept"
-    }

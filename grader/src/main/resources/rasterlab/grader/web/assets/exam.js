@@ -12,17 +12,28 @@ if (clock) {
   let end = performance.now() + 1000 * Number(clock.dataset.left);
   let over = false;
 
-  const kept = new Map(forms.map((form) => [form, form.elements.source.value]));
+  // A form has one text, or the fields of a sheet of questions.
+  const fieldsOf = (form) => [...form.elements].filter((field) => field.name && field.type !== "hidden");
+  const read = (form) => JSON.stringify(fieldsOf(form).map((field) => [field.name, field.value]));
+  const write = (form, typed) => {
+    for (const [name, text] of JSON.parse(typed)) {
+      const field = form.elements.namedItem(name);
+      if (field) field.value = text;
+    }
+  };
+
+  const kept = new Map(forms.map((form) => [form, read(form)]));
 
   for (const form of forms) {
-    const field = form.elements.source;
     const unsaved = sessionStorage.getItem(form.dataset.kept);
-    if (unsaved !== null) field.value = unsaved;
-    field.addEventListener("input", () => sessionStorage.setItem(form.dataset.kept, field.value));
+    if (unsaved !== null) write(form, unsaved);
+    const note = () => sessionStorage.setItem(form.dataset.kept, read(form));
+    form.addEventListener("input", note);
+    form.addEventListener("change", note);
   }
 
   const keep = async (form) => {
-    const text = form.elements.source.value;
+    const text = read(form);
     if (text === kept.get(form)) return;
     const line = form.querySelector("[role=status]");
     const body = new FormData(form);
@@ -31,7 +42,7 @@ if (clock) {
       const answer = await fetch(form.dataset.draft, { method: "POST", body, credentials: "same-origin" });
       if (!answer.ok) throw new Error(answer.statusText);
       kept.set(form, text);
-      if (form.elements.source.value === text) sessionStorage.removeItem(form.dataset.kept);
+      if (read(form) === text) sessionStorage.removeItem(form.dataset.kept);
       end = performance.now() + 1000 * Number(await answer.text());
       line.textContent = form.dataset.saved;
     } catch {
