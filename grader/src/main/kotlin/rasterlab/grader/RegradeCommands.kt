@@ -118,7 +118,7 @@ private class RegradeListCommand : Callable<Int> {
     override fun call(): Int =
         options.open { database, courses ->
             val course = courses.find(options.course) ?: throw options.unknown()
-            for (one in Regrades(database, InstantSource.system()).ofCourse(course)) {
+            for (one in Regrades(database, InstantSource.system()).ofCourse(course).items) {
                 val told = listOf(one.id, one.begunAt.text(), one.exercise, one.choice.code, one.state.code)
                 spec.commandLine().out.println((told + "${one.done}/${one.total}").joinToString("\t"))
             }

@@ -16,10 +16,14 @@ import rasterlab.grader.course.Name
 import rasterlab.grader.course.course
 import rasterlab.grader.course.identity
 import rasterlab.grader.course.staff
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.linkNext
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Submissions
 
@@ -76,8 +80,9 @@ fun Route.comments(
     get("/submissions/{id}/comments") {
         val who = call.identity()
         val submission = submissions.seenBy(who, call.parameters.getOrFail("id"))
-        val page = comments.page(submission.id, call.request.queryParameters["after"])
-        call.respondJson(CommentsAnswer(page.comments.map { answer(it, who) }, page.next))
+        val part = comments.part(submission.id, call.paging())
+        call.linkNext(part)
+        call.respondJson(CommentsAnswer(part.items.map { answer(it, who) }, part.next))
     }
     post("/submissions/{id}/comments") {
         val who = call.identity()
@@ -118,14 +123,15 @@ fun Route.courseComments(
 ) {
     get("/courses/{course}/questions") {
         val who = call.staff()
-        val page = comments.questions(call.course(courses).id, call.request.queryParameters["after"])
-        val questions =
-            page.questions.map { QuestionAnswer(it.student, it.exercise, it.attempt, answer(it.comment, who)) }
-        call.respondJson(QuestionsAnswer(questions, page.next))
+        val part = comments.questions(call.course(courses).id, call.paging())
+        call.linkNext(part)
+        val questions = part.items.map { QuestionAnswer(it.student, it.exercise, it.attempt, answer(it.comment, who)) }
+        call.respondJson(QuestionsAnswer(questions, part.next))
     }
     get("/courses/{course}/kept-comments") {
         call.staff()
-        call.respondJson(kept.of(call.course(courses).id).map(::answer))
+        val all = kept.of(call.course(courses).id)
+        call.respondPart(call.paging(Paging.WHOLE).of(all) { it.id }.map(::answer))
     }
     post("/courses/{course}/kept-comments") {
         val who = call.staff()

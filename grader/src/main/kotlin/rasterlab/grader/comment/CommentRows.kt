@@ -3,6 +3,7 @@ package rasterlab.grader.comment
 import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.statement.Query
 import rasterlab.grader.course.Identity
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Submission
@@ -36,13 +37,19 @@ internal class CommentRows(
     fun find(
         submission: String,
         id: String,
-    ): LineComment =
+    ): LineComment = seek(submission, id) ?: throw Rejection.UnknownComment(id)
+
+    /** The one of that id; null where the submission has none. */
+    fun seek(
+        submission: String,
+        id: String,
+    ): LineComment? =
         query("$SELECT WHERE c.id = :id AND c.submission_id = :submission", after = null)
             .bind("id", id)
             .bind("submission", submission)
             .map { row, _ -> comment(row) }
             .findOne()
-            .getOrNull() ?: throw Rejection.UnknownComment(id)
+            .getOrNull()
 
     /** @throws Rejection.ForeignComment where it is not one of [who] */
     fun own(
@@ -125,19 +132,18 @@ internal class CommentRows(
     }
 
     /**
-     * Reads open questions of a course, the oldest first.
+     * Reads open questions of a course, the oldest first, one more than the part has where there is one.
      *
-     * @throws Rejection.UnknownComment where [after] is no comment's id
+     * @throws Rejection.Malformed where no comment has the id behind which the part begins
      */
     fun questions(
         course: String,
-        after: String?,
-        most: Int,
+        paging: Paging,
     ): List<OpenQuestion> {
-        val before = after?.let { id -> beginning(id) ?: throw Rejection.UnknownComment(id) }
-        return query("$QUESTIONS ${if (after == null) "" else LATER} $ORDER LIMIT :most", before)
+        val before = paging.after?.let { id -> beginning(id) ?: throw paging.unknown() }
+        return query("$QUESTIONS ${if (before == null) "" else LATER} $ORDER LIMIT :most", before)
             .bind("course", course)
-            .bind("most", most)
+            .bind("most", paging.reach)
             .map { row, _ ->
                 val attempt = row.getInt("attempt")
                 OpenQuestion(comment(row), row.getString("student_name"), row.getString("exercise"), attempt)

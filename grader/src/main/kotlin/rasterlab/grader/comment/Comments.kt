@@ -3,6 +3,8 @@ package rasterlab.grader.comment
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.course.AuditNote
 import rasterlab.grader.course.Identity
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Repeatable
@@ -26,19 +28,18 @@ class Comments(
     ): LineComment = database.read { CommentRows(it).find(submission.id, id) }
 
     /**
-     * Reads at most [PAGE] comments of a submission, in the order of writing.
+     * Reads comments of a submission, in the order of writing.
      *
-     * @param after id of the last one that was read; null to begin with the first
-     * @throws Rejection.UnknownComment where the submission has none of that id
+     * @throws Rejection.Malformed where the submission has none of the id behind which the part begins
      */
-    fun page(
+    fun part(
         submission: String,
-        after: String?,
-    ): CommentPage =
+        paging: Paging,
+    ): ListPart<LineComment> =
         database.read { handle ->
             val rows = CommentRows(handle)
-            val read = rows.of(submission, after?.let { rows.find(submission, it) }, PAGE + 1)
-            CommentPage(read.take(PAGE), read.getOrNull(PAGE - 1)?.id?.takeIf { read.size > PAGE })
+            val last = paging.after?.let { rows.seek(submission, it) ?: throw paging.unknown() }
+            paging.cut(rows.of(submission, last, paging.reach)) { it.id }
         }
 
     /**
@@ -154,25 +155,15 @@ class Comments(
         }
 
     /**
-     * Reads at most [PAGE] open questions of a course, the oldest first.
+     * Reads open questions of a course, the oldest first.
      *
-     * @param after id of the last one that was read; null to begin with the first
+     * @throws Rejection.Malformed where no comment has the id behind which the part begins
      */
     fun questions(
         course: String,
-        after: String?,
-    ): QuestionPage =
-        database.read { handle ->
-            val read = CommentRows(handle).questions(course, after, PAGE + 1)
-            QuestionPage(
-                read.take(PAGE),
-                read
-                    .getOrNull(PAGE - 1)
-                    ?.comment
-                    ?.id
-                    ?.takeIf { read.size > PAGE },
-            )
-        }
+        paging: Paging,
+    ): ListPart<OpenQuestion> =
+        database.read { handle -> paging.cut(CommentRows(handle).questions(course, paging)) { it.comment.id } }
 
     /** How many questions wait in each course that has some, by the course's id. */
     fun openCounts(): Map<String, Int> = database.read { CommentRows(it).openCounts() }
@@ -196,9 +187,6 @@ class Comments(
     }
 
     companion object {
-        /** The most that one answer lists. */
-        const val PAGE = 50
-
         /** The most comments that a student writes about one submission, and all staff together. */
         const val MOST_OF_STUDENT = 50
         const val MOST_OF_STAFF = 200

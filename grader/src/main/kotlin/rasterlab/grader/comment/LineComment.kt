@@ -70,12 +70,6 @@ data class LineComment(
     val open: Boolean,
 )
 
-/** @param next id behind which later ones begin; null where there are none */
-data class CommentPage(
-    val comments: List<LineComment>,
-    val next: String?,
-)
-
 /**
  * A question that waits for an answer.
  *
@@ -86,10 +80,4 @@ data class OpenQuestion(
     val student: String,
     val exercise: String,
     val attempt: Int,
-)
-
-/** @param next id of the last question here, behind which later ones begin; null where there are none */
-data class QuestionPage(
-    val questions: List<OpenQuestion>,
-    val next: String?,
 )

@@ -67,9 +67,3 @@ data class ListedComplaint(
     val exercise: String,
     val attempt: Int,
 )
-
-/** @param next id of the last one here, behind which others begin; null where there are none */
-data class ComplaintPage(
-    val complaints: List<ListedComplaint>,
-    val next: String?,
-)

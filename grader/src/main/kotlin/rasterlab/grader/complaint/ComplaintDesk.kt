@@ -8,6 +8,8 @@ import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.regrade.RegradeChoice
 import rasterlab.grader.regrade.Regrades
@@ -123,29 +125,21 @@ class ComplaintDesk(
     ): CaseComplaint = database.read { ComplaintRows(it).find(submission.id, id) }
 
     /**
-     * Reads at most [PAGE] complaints of a course: those that wait from the oldest on, or those that are settled from the
-     * latest on.
+     * Reads complaints of a course: those that wait from the oldest on, or those that are settled from the latest on.
      *
-     * @param after id of the last one that was read; null to begin with the first
+     * @throws Rejection.Malformed where the course has none of the id behind which the part begins
      */
     fun ofCourse(
         course: String,
         open: Boolean,
-        after: String?,
-    ): ComplaintPage =
+        paging: Paging,
+    ): ListPart<ListedComplaint> =
         database.read { handle ->
-            val read = ComplaintRows(handle).ofCourse(course, open, after, PAGE + 1)
-            val last = read.getOrNull(PAGE - 1)?.complaint
-            ComplaintPage(read.take(PAGE), last?.id?.takeIf { read.size > PAGE })
+            paging.cut(ComplaintRows(handle).ofCourse(course, open, paging)) { it.complaint.id }
         }
 
     /** How many wait in each course that has some, by the course's id. */
     fun openCounts(): Map<String, Int> = database.read { ComplaintRows(it).openCounts() }
-
-    companion object {
-        /** The most that one answer lists. */
-        const val PAGE = 50
-    }
 }
 
 /** Whether it did not earn all its points. */

@@ -13,10 +13,14 @@ import rasterlab.grader.course.course
 import rasterlab.grader.course.identity
 import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.linkNext
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Submissions
 
@@ -59,7 +63,8 @@ fun Route.complaints(
 ) {
     get("/submissions/{id}/complaints") {
         val submission = submissions.seenBy(call.identity(), call.parameters.getOrFail("id"))
-        call.respondJson(complaints.of(submission.id).map(::told))
+        val all = complaints.of(submission.id)
+        call.respondPart(call.paging(Paging.WHOLE).of(all) { it.id }.map(::told))
     }
     post("/submissions/{id}/complaints") {
         val student = call.student()
@@ -87,10 +92,10 @@ fun Route.complaints(
         val asked = call.request.queryParameters["state"] ?: ComplaintState.OPEN.code
         if (asked !in STATES) throw Rejection.Malformed("state is '$asked', allowed are ${STATES.joinToString()}")
         val open = asked == ComplaintState.OPEN.code
-        val page = complaints.ofCourse(call.course(courses).id, open, call.request.queryParameters["after"])
-        val listed =
-            page.complaints.map { ListedComplaintAnswer(it.student, it.exercise, it.attempt, told(it.complaint)) }
-        call.respondJson(CourseComplaintsAnswer(listed, page.next))
+        val part = complaints.ofCourse(call.course(courses).id, open, call.paging())
+        call.linkNext(part)
+        val listed = part.items.map { ListedComplaintAnswer(it.student, it.exercise, it.attempt, told(it.complaint)) }
+        call.respondJson(CourseComplaintsAnswer(listed, part.next))
     }
 }
 

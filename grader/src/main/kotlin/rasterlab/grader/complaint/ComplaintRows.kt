@@ -2,6 +2,7 @@ package rasterlab.grader.complaint
 
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.course.Identity
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.regrade.RegradeState
 import rasterlab.grader.storage.text
@@ -78,26 +79,27 @@ internal class ComplaintRows(
             .execute() == 1
 
     /**
-     * Lists those of a course, the open ones from the oldest on, or those that are settled from the latest on.
+     * Lists those of a course, the open ones from the oldest on, or those that are settled from the latest on; one more
+     * than the part has where there is one.
      *
-     * @param after the last one that was read; null to begin with the first
+     * @throws Rejection.Malformed where the course has none of the id behind which the part begins
      */
     fun ofCourse(
         course: String,
         open: Boolean,
-        after: String?,
-        most: Int,
+        paging: Paging,
     ): List<ListedComplaint> {
-        val last = after?.let { moment(course, it) }
+        val last = paging.after?.let { moment(course, it) ?: throw paging.unknown() }
         val (state, at, order) = if (open) OPEN else SETTLED
         val later = if (open) ">" else "<"
         val behind = if (last == null) "" else "AND ($at, c.id) $later (:seenAt, :seen)"
         return handle
             .createQuery("$LISTED WHERE owners.course_id = :course AND $state $behind ORDER BY $order LIMIT :most")
             .bind("course", course)
-            .bind("most", most)
-            .apply { if (last != null) bind("seenAt", if (open) last.openedAt else last.settledAt).bind("seen", after) }
-            .map { row, _ ->
+            .bind("most", paging.reach)
+            .apply {
+                if (last != null) bind("seenAt", if (open) last.openedAt else last.settledAt).bind("seen", paging.after)
+            }.map { row, _ ->
                 val attempt = row.getInt("attempt")
                 ListedComplaint(complaint(row), row.getString("student_name"), row.getString("exercise"), attempt)
             }.list()
@@ -122,14 +124,14 @@ internal class ComplaintRows(
     private fun moment(
         course: String,
         id: String,
-    ): Moments =
+    ): Moments? =
         handle
             .createQuery("$LISTED WHERE c.id = :id AND owners.course_id = :course")
             .bind("id", id)
             .bind("course", course)
             .map { row, _ -> Moments(row.getString("opened_at"), row.getString("answered_at").orEmpty()) }
             .findOne()
-            .getOrNull() ?: throw Rejection.UnknownComplaint(id)
+            .getOrNull()
 
     private fun complaint(row: ResultSet) =
         CaseComplaint(

@@ -1,6 +1,8 @@
 package rasterlab.grader.course
 
 import org.jdbi.v3.core.Handle
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import java.sql.ResultSet
@@ -29,36 +31,23 @@ data class AuditEntry(
     val detail: String,
 )
 
-/** @param next id behind which earlier entries begin; null where there are none */
-data class AuditPage(
-    val entries: List<AuditEntry>,
-    val next: String?,
-)
-
 /** Reads what staff changed, the latest first. */
 class Audit(
     private val database: Database,
 ) {
-    /**
-     * Reads a page of at most [PAGE] changes.
-     *
-     * @param before id of the last entry that was read; null to begin with the latest
-     * @throws Rejection.Malformed where no entry has that id
-     */
-    fun page(before: String?): AuditPage =
+    /** @throws Rejection.Malformed where no entry has the id behind which the part begins */
+    fun part(paging: Paging): ListPart<AuditEntry> =
         database.read { handle ->
-            if (before != null &&
-                !exists(handle, before)
-            ) {
-                throw Rejection.Malformed("before is '$before', no entry's id")
-            }
+            val last = paging.after
+            if (last != null && !exists(handle, last)) throw paging.unknown()
             val read =
                 handle
-                    .createQuery("$SELECT ${if (before == null) "" else EARLIER} $ORDER LIMIT ${PAGE + 1}")
-                    .apply { if (before != null) bind("before", before) }
+                    .createQuery("$SELECT ${if (last == null) "" else EARLIER} $ORDER LIMIT :most")
+                    .apply { if (last != null) bind("before", last) }
+                    .bind("most", paging.reach)
                     .map { row, _ -> entry(row) }
                     .list()
-            AuditPage(read.take(PAGE), read.getOrNull(PAGE - 1)?.id?.takeIf { read.size > PAGE })
+            paging.cut(read) { it.id }
         }
 
     private fun exists(
@@ -85,8 +74,6 @@ class Audit(
         )
 
     companion object {
-        const val PAGE = 50
-
         private const val SELECT =
             """SELECT audit.*, doers.name AS by_name, doers.role, courses.name AS course_name,
                    coalesce(students.shown_name, others.name, earlier.name, authors.shown_name, regrades.exercise)

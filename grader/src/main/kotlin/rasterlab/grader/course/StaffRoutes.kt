@@ -9,9 +9,13 @@ import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.json.JsonFields
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.linkNext
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.storage.text
 
 @Serializable
@@ -62,7 +66,7 @@ fun Route.staff(
 ) {
     get("/staff") {
         call.instructor()
-        call.respondJson(staff.all().map(::answer))
+        call.respondPart(call.paging(Paging.WHOLE).of(staff.all()) { it.id }.map(::answer))
     }
     post("/staff") {
         val instructor = call.instructor()
@@ -101,10 +105,14 @@ fun Route.staff(
     }
     get("/audit") {
         call.instructor()
-        val page = audit.page(call.request.queryParameters["before"])
-        call.respondJson(AuditAnswer(page.entries.map(::answer), page.next))
+        val part = audit.part(call.paging(former = BEFORE))
+        call.linkNext(part, former = BEFORE)
+        call.respondJson(AuditAnswer(part.items.map(::answer), part.next))
     }
 }
+
+/** The name that `after` had in the addresses of the audit. */
+private const val BEFORE = "before"
 
 /** The id or code of a single course; null for all, which is also meant where nothing is said. */
 private fun JsonFields.courseOrAll(): String? = if (!has("course") || tree("course").isNull) null else anyText("course")

@@ -22,9 +22,12 @@ import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.rules.named
 import rasterlab.grader.storage.text
 import java.time.Instant
@@ -90,11 +93,13 @@ fun Route.exams(
     get("/exams") {
         val student = call.student()
         sittings.settle()
-        call.respondJson(sittings.of(student).map { own(it, sittings.now()) })
+        val part = call.paging(Paging.WHOLE).of(sittings.of(student)) { it.exam.id }
+        call.respondPart(part.map { own(it, sittings.now()) })
     }
     get("/courses/{course}/exams") {
         call.staff()
-        call.respondJson(exams.ofCourse(call.course(courses).id).map { call.answer(it) })
+        val all = exams.ofCourse(call.course(courses).id)
+        call.respondPart(call.paging(Paging.WHOLE).of(all) { it.id }.map { one -> call.answer(one) })
     }
     post("/courses/{course}/exams") {
         val instructor = call.instructor()

@@ -14,8 +14,11 @@ import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.storage.text
 
@@ -74,7 +77,8 @@ fun Route.exercises(
         val held = rules(call.identity())
         val come = standing(call.identity())
         val shown = closed(call.identity()).let { kept -> exercises.all.filter { it.id() !in kept } }
-        call.respondJson(shown.map { it.view(call.language(), held, come) })
+        val part = call.paging(Paging.WHOLE).of(shown) { it.id() }
+        call.respondPart(part.map { it.view(call.language(), held, come) })
     }
     get("/exercises/{id}") {
         val exercise = exercises.named(call.exerciseId())

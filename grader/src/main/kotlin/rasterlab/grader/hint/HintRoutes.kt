@@ -8,13 +8,17 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.course
 import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.storage.text
 
 @Serializable
@@ -69,13 +73,12 @@ fun Route.hints(
     }
     get("/courses/{course}/exercises/{id}/hints") {
         call.staff()
-        val course = call.parameters.getOrFail("course")
-        courses.students(course) ?: throw Rejection.UnknownCourse(course)
+        val course = call.course(courses)
         val exercise = exercises.named(call.parameters.getOrFail("id"))
-        call.respondJson(
-            hints.ofCourse(course, exercise.id()).map {
-                UseView(it.student, it.name, it.hint.step, it.hint.cost, it.hint.takenAt.text())
-            },
+        val all = hints.ofCourse(course.id, exercise.id())
+        val part = call.paging(Paging.WHOLE).of(all) { "${it.student}:${it.hint.step}" }
+        call.respondPart(
+            part.map { UseView(it.student, it.name, it.hint.step, it.hint.cost, it.hint.takenAt.text()) },
         )
     }
 }

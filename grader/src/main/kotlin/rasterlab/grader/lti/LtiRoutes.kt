@@ -12,8 +12,11 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
+import rasterlab.grader.problem.Paging
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.storage.text
 
 @Serializable
@@ -66,7 +69,7 @@ fun Route.lti(
 ) {
     get("/lti/platforms") {
         call.instructor()
-        call.respondJson(platforms.all().map(::answer))
+        call.respondPart(call.paging(Paging.WHOLE).of(platforms.all()) { it.id }.map(::answer))
     }
     post("/lti/platforms") {
         val instructor = call.instructor()
@@ -86,7 +89,8 @@ fun Route.lti(
     }
     get("/courses/{course}/lti/scores") {
         call.staff()
-        call.respondJson(states.of(call.course(courses).id).map(::answer))
+        val all = states.of(call.course(courses).id, most = Paging.WHOLE)
+        call.respondPart(call.paging(ScoreStates.MOST).of(all) { it.id }.map(::answer))
     }
     post("/courses/{course}/lti/scores/send") {
         val instructor = call.instructor()

@@ -10,6 +10,7 @@ import java.time.InstantSource
 /**
  * How a student's points at a link of a platform stand.
  *
+ * @param link id of the place on the platform
  * @param points as they are to stand there; null for none
  * @param sentPoints that the platform took last; null where it took none
  * @param sentAt null where nothing was sent yet
@@ -18,6 +19,7 @@ import java.time.InstantSource
  */
 data class ScoreState(
     val student: String,
+    val link: String,
     val studentName: String,
     val platform: String,
     val exercise: String,
@@ -29,6 +31,9 @@ data class ScoreState(
     val tries: Int,
     val fault: String?,
 ) {
+    /** Tells it from all others of its course. */
+    val id get() = "$student:$link"
+
     /** One word: sent, waiting, or failing as long as the platform has not taken them. */
     val code get() =
         when {
@@ -44,8 +49,11 @@ class ScoreStates(
     private val wall: InstantSource,
     private val steady: InstantSource,
 ) {
-    /** Reads those of a course, what is still to be sent first; at most [MOST]. */
-    fun of(course: String): List<ScoreState> =
+    /** Reads those of a course, what is still to be sent first. */
+    fun of(
+        course: String,
+        most: Int = MOST,
+    ): List<ScoreState> =
         database.read { handle ->
             handle
                 .createQuery(
@@ -56,8 +64,9 @@ class ScoreStates(
                        JOIN lti_platforms ON lti_platforms.id = lti_links.platform_id
                        WHERE students.course_id = :course
                        ORDER BY CASE WHEN s.due_at IS NULL THEN 1 ELSE 0 END, students.number, s.exercise, s.link_id
-                       LIMIT $MOST""",
+                       LIMIT :most""",
                 ).bind("course", course)
+                .bind("most", most)
                 .map { row, _ -> state(row) }
                 .list()
         }
@@ -88,6 +97,7 @@ class ScoreStates(
     private fun state(row: ResultSet) =
         ScoreState(
             row.getString("student_id"),
+            row.getString("link_id"),
             row.getString("shown_name"),
             row.getString("platform_name"),
             row.getString("exercise"),
@@ -100,7 +110,8 @@ class ScoreStates(
             row.getString("fault"),
         )
 
-    private companion object {
+    companion object {
+        /** The most that are read where nobody asks for more. */
         const val MOST = 2000
     }
 }

@@ -57,7 +57,8 @@ class Paging(
     }
 
     /** Says that nothing in the list has the id in [after]. */
-    fun unknown() = Rejection.Malformed("$AFTER is '$after', expected the id of something in this list")
+    fun unknown() =
+        Rejection.Malformed("$AFTER is '$after', expected what an earlier part of this list names as its next")
 
     companion object {
         const val AFTER = "after"

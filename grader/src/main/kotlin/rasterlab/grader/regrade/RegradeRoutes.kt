@@ -18,8 +18,10 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.flag
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.report.onEachChange
 import rasterlab.grader.report.respondEvents
 import rasterlab.grader.storage.text
@@ -101,7 +103,8 @@ fun Route.regrades(
     }
     get("/courses/{course}/regrades") {
         call.instructor()
-        call.respondJson(regrades.ofCourse(call.course(courses)).map(::answer))
+        val part = regrades.ofCourse(call.course(courses), call.paging(usual = Regrades.LISTED))
+        call.respondPart(part.map(::answer))
     }
     get("/regrades/{regrade}") {
         call.instructor()

@@ -9,6 +9,8 @@ import org.jdbi.v3.core.statement.Query
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.AuditNote
 import rasterlab.grader.course.Course
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Repeatable
@@ -103,14 +105,30 @@ class Regrades(
     /** @throws Rejection.UnknownRegrade */
     fun find(id: String): Regrade = database.read { named(it, id) }
 
-    /** Lists those of a course, the latest first. */
-    fun ofCourse(course: Course): List<Regrade> =
+    /**
+     * Lists those of a course, the latest first.
+     *
+     * @throws Rejection.Malformed where the course has none of the id behind which the part begins
+     */
+    fun ofCourse(
+        course: Course,
+        paging: Paging = Paging(after = null, LISTED),
+    ): ListPart<Regrade> =
         database.read { handle ->
-            rows(
+            val last =
+                paging.after?.let {
+                    find(handle, it)?.takeIf { one -> one.course == course.id }
+                        ?: throw paging.unknown()
+                }
+            val earlier = if (last == null) "" else "AND (begun_at, id) < (:seenAt, :seen)"
+            val read =
                 handle
-                    .createQuery("$SELECT WHERE course_id = :course ORDER BY begun_at DESC, id LIMIT $LISTED")
-                    .bind("course", course.id),
-            )
+                    .createQuery(
+                        "$SELECT WHERE course_id = :course $earlier ORDER BY begun_at DESC, id DESC LIMIT :most",
+                    ).bind("course", course.id)
+                    .bind("most", paging.reach)
+                    .apply { if (last != null) bind("seenAt", last.begunAt.text()).bind("seen", last.id) }
+            paging.cut(rows(read)) { it.id }
         }
 
     /** Lists the submissions that can be graded again, in the order of handing in. */
@@ -268,13 +286,14 @@ class Regrades(
             row.getInt("failed"),
         )
 
-    private companion object {
+    companion object {
+        /** The most that are listed where nobody says. */
         const val LISTED = 100
 
-        const val OWN =
+        private const val OWN =
             "FROM regrade_items i LEFT JOIN results r ON r.id = i.result_id WHERE i.regrade_id = regrades.id"
 
-        const val SELECT =
+        private const val SELECT =
             """SELECT regrades.*, (SELECT count(*) $OWN) AS total, (SELECT count(*) $OWN AND r.id IS NOT NULL) AS done,
                    (SELECT count(*) $OWN AND r.verdict = 'internal') AS failed
                FROM regrades"""

@@ -12,6 +12,9 @@ import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.language
+import rasterlab.grader.problem.Paging
+import rasterlab.grader.problem.linkNext
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.storage.text
@@ -52,6 +55,7 @@ private data class GivenExtension(
 private data class AllRulesAnswer(
     val exercises: List<RulesAnswer>,
     val extensions: List<GivenExtension>,
+    val next: String?,
 )
 
 /**
@@ -73,13 +77,15 @@ fun Route.exerciseRules(
         val set = rules.ofCourse(course)
         val had = chosen.of(course.id).toSet()
         val language = call.language()
+        val part = call.paging(Paging.WHOLE).of(ids) { it }
+        val elsewhere = ids - part.items.toSet()
+        val extensions = rules.extensions(course).filter { it.exercise !in elsewhere }
+        call.linkNext(part)
         call.respondJson(
             AllRulesAnswer(
-                ids.map { answer(it, set[it] ?: ExerciseRules(), it in had, language) },
-                rules
-                    .extensions(
-                        course,
-                    ).map { GivenExtension(it.student, it.name, it.exercise, it.due.text(), it.reason) },
+                part.items.map { answer(it, set[it] ?: ExerciseRules(), it in had, language) },
+                extensions.map { GivenExtension(it.student, it.name, it.exercise, it.due.text(), it.reason) },
+                part.next,
             ),
         )
     }

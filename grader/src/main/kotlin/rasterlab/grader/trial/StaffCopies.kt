@@ -7,6 +7,8 @@ package rasterlab.grader.trial
 import org.jdbi.v3.core.Handle
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Identity
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Repeatable
@@ -93,26 +95,49 @@ class StaffCopies(
     /** @throws Rejection.UnknownTrial where there is none of that id */
     fun find(id: String): StaffCopy = database.read { find(it, id) }
 
-    /** Lists those of a submission, the latest first. */
-    fun of(submission: String): List<StaffCopy> =
+    /**
+     * Lists those of a submission, the latest first.
+     *
+     * @throws Rejection.Malformed where the submission has none of the id behind which the part begins
+     */
+    fun of(
+        submission: String,
+        paging: Paging = Paging(after = null),
+    ): ListPart<StaffCopy> =
         database.read { handle ->
-            handle
-                .createQuery("$SELECT WHERE t.submission_id = :id ORDER BY t.begun_at DESC, t.id DESC LIMIT $LISTED")
-                .bind("id", submission)
-                .map { row, _ -> trial(row) }
-                .list()
+            val last =
+                paging.after?.let {
+                    seek(handle, it)?.takeIf { one -> one.submission == submission }
+                        ?: throw paging.unknown()
+                }
+            val earlier = if (last == null) "" else "AND (t.begun_at, t.id) < (:seenAt, :seen)"
+            val read =
+                handle
+                    .createQuery(
+                        "$SELECT WHERE t.submission_id = :id $earlier ORDER BY t.begun_at DESC, t.id DESC LIMIT :most",
+                    ).bind("id", submission)
+                    .bind("most", paging.reach)
+                    .apply { if (last != null) bind("seenAt", last.begunAt.text()).bind("seen", last.id) }
+                    .map { row, _ -> trial(row) }
+                    .list()
+            paging.cut(read) { it.id }
         }
 
     private fun find(
         handle: Handle,
         id: String,
-    ): StaffCopy =
+    ): StaffCopy = seek(handle, id) ?: throw Rejection.UnknownTrial(id)
+
+    private fun seek(
+        handle: Handle,
+        id: String,
+    ): StaffCopy? =
         handle
             .createQuery("$SELECT WHERE t.id = :id")
             .bind("id", id)
             .map { row, _ -> trial(row) }
             .findOne()
-            .getOrNull() ?: throw Rejection.UnknownTrial(id)
+            .getOrNull()
 
     private fun trial(row: ResultSet) =
         StaffCopy(
@@ -132,8 +157,6 @@ class StaffCopies(
         const val MOST_WAITING = 5
 
         /** The most that one answer lists. */
-        const val LISTED = 50
-
         private const val SELECT =
             """SELECT t.*, instructors.name AS author, r.verdict FROM trials t
                LEFT JOIN instructors ON instructors.id = t.account_id LEFT JOIN results r ON r.id = t.result_id"""

@@ -16,7 +16,9 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
 import rasterlab.grader.exercise.pictureLanguage
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.report.CopiedResults
 import rasterlab.grader.report.SubmissionView
 import rasterlab.grader.report.respondFile
@@ -46,7 +48,8 @@ private data class WholeTrialAnswer(
 fun Route.trials(desk: TrialDesk) {
     get("/submissions/{id}/trials") {
         val submission = desk.submissions.seenBy(call.staff(), call.parameters.getOrFail("id"))
-        call.respondJson(desk.trials.of(submission.id).map(::answer))
+        val part = desk.trials.of(submission.id, call.paging())
+        call.respondPart(part.map(::answer))
     }
     post("/submissions/{id}/trials") {
         val who = call.staff()

@@ -9,8 +9,9 @@ import kotlinx.html.p
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.AuditEntry
-import rasterlab.grader.course.AuditPage
 import rasterlab.grader.course.Identity
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 
 /** Shows an instructor what staff changed, the latest first, a page at a time. */
 fun Route.auditPages(
@@ -19,22 +20,22 @@ fun Route.auditPages(
 ) = get("/instructor/audit") {
     val who = call.instructorHere(accounts)
     val before = call.request.queryParameters["before"]
-    call.respondAudit(who, audit.page(before), begins = before == null)
+    call.respondAudit(who, audit.part(Paging(before)), begins = before == null)
 }
 
 private suspend fun ApplicationCall.respondAudit(
     who: Identity.Instructor,
-    page: AuditPage,
+    part: ListPart<AuditEntry>,
     begins: Boolean,
 ) {
     val texts = texts()
     respondPage(texts, who, texts.say("audit.title")) {
         p { a("/instructor") { +texts.say("token.back") } }
         p("plan") { +texts.say("audit.about", texts.zoneName) }
-        if (page.entries.isEmpty()) p { +texts.say("audit.none") } else changeTable(texts, page.entries)
+        if (part.items.isEmpty()) p { +texts.say("audit.none") } else changeTable(texts, part.items)
         p("ways") {
             if (!begins) a("/instructor/audit") { +texts.say("audit.latest") }
-            page.next?.let { a("/instructor/audit?before=$it") { +texts.say("audit.earlier") } }
+            part.next?.let { a("/instructor/audit?before=$it") { +texts.say("audit.earlier") } }
         }
     }
 }

@@ -147,7 +147,7 @@ private class RegradeDesk(
         val texts = call.texts()
         val heading = "${texts.say("regrade.heading")}: ${exercise.title(texts.language)} — ${course.name}"
         val graded = regrades.gradable(course, exercise.id())
-        val before = regrades.ofCourse(course).filter { it.exercise == exercise.id() }
+        val before = regrades.ofCourse(course).items.filter { it.exercise == exercise.id() }
         call.respondPage(texts, who, heading, refused?.status ?: HttpStatusCode.OK) {
             refused?.let { problem(texts, it.status, it.code, it.details) }
             p { a(rulesAddress(course, exercise)) { +texts.say("regrade.rules") } }

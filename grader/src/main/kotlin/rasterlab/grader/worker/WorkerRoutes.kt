@@ -6,7 +6,10 @@ import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.grader.course.instructor
+import rasterlab.grader.problem.Paging
+import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.respondPart
 import rasterlab.grader.storage.text
 
 @Serializable
@@ -26,7 +29,7 @@ private data class WorkerAnswer(
 fun Route.workers(workers: Workers) {
     get("/workers") {
         call.instructor()
-        call.respondJson(workers.all().map(::answer))
+        call.respondPart(call.paging(Paging.WHOLE).of(workers.all()) { it.worker.name }.map(::answer))
     }
     for ((word, drains) in listOf("drain" to true, "resume" to false)) {
         post("/workers/{worker}/$word") {

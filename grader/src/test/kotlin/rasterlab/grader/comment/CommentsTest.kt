@@ -82,7 +82,7 @@ class CommentsTest {
             change(own, thread, "x", other).assertProblem(404, "unknown-comment")
             client.delete("${address(own)}/$thread") { bearer(other) }.assertProblem(404, "unknown-comment")
             client.post("${address(own)}/$thread/answered") { bearer(other) }.assertProblem(404, "unknown-comment")
-            look(other, "${address(own)}?after=$thread").assertProblem(404, "unknown-comment")
+            look(other, "${address(own)}?after=$thread").assertProblem(400, "malformed-request")
             val course2 = newCourse()
             look(
                 instructor,
@@ -205,7 +205,7 @@ class CommentsTest {
             val waiting = look(instructor, "/api/v1/courses/$course/questions").json()
             val rest = look(instructor, "/api/v1/courses/$course/questions?after=${waiting.text("next")}").json()
             assertEquals(listOf("last"), rest.list("questions").map { said(it) })
-            look(instructor, "/api/v1/courses/$course/questions?after=none").assertProblem(404, "unknown-comment")
+            look(instructor, "/api/v1/courses/$course/questions?after=none").assertProblem(400, "malformed-request")
         }
 
     @Test

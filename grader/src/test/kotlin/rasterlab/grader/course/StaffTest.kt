@@ -30,6 +30,7 @@ import rasterlab.grader.json
 import rasterlab.grader.list
 import rasterlab.grader.one
 import rasterlab.grader.printedBy
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.sendForm
 import rasterlab.grader.text
 import java.nio.file.Path
@@ -163,12 +164,12 @@ class StaffTest {
                 "a token or its hash is noted: $entries",
             )
             database.write { handle ->
-                repeat(Audit.PAGE) { AuditNote("command", null, "course", "$it", "").write(handle, Instant.now()) }
+                repeat(Paging.USUAL) { AuditNote("command", null, "course", "$it", "").write(handle, Instant.now()) }
             }
             val pages = mutableListOf(page(""))
             while (pages.last().second != "null") pages += page("?before=${pages.last().second}")
-            assertEquals(listOf(Audit.PAGE, noted.size), pages.map { it.first.size })
-            assertEquals(Audit.PAGE + noted.size, pages.flatMap { it.first }.toSet().size)
+            assertEquals(listOf(Paging.USUAL, noted.size), pages.map { it.first.size })
+            assertEquals(Paging.USUAL + noted.size, pages.flatMap { it.first }.toSet().size)
             look(instructor, "/api/v1/audit?before=none").assertProblem(400, "malformed-request")
             assertTrue("Earlier changes" in show("/instructor/audit"))
             assertTrue("Latest changes" in show("/instructor/audit?before=${pages[0].second}"))

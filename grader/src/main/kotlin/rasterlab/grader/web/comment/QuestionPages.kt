@@ -23,7 +23,6 @@ import rasterlab.grader.comment.CommentText
 import rasterlab.grader.comment.Comments
 import rasterlab.grader.comment.KeptComments
 import rasterlab.grader.comment.OpenQuestion
-import rasterlab.grader.comment.QuestionPage
 import rasterlab.grader.comment.ReadyComment
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Course
@@ -31,6 +30,8 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
@@ -54,8 +55,8 @@ fun Route.questionPages(
     get("/instructor/courses/{course}/questions") {
         val who = call.staffHere(accounts)
         val course = call.courseOf(courses)
-        val after = call.request.queryParameters["after"]
-        call.respondQuestions(who, course, exercises, comments.questions(course.id, after))
+        val part = comments.questions(course.id, Paging(call.request.queryParameters[Paging.AFTER]))
+        call.respondQuestions(who, course, exercises, part)
     }
     get("/instructor/courses/{course}/kept-comments") {
         val who = call.staffHere(accounts)
@@ -92,7 +93,7 @@ private suspend fun ApplicationCall.respondQuestions(
     who: Identity.StaffIdentity,
     course: Course,
     exercises: Exercises,
-    page: QuestionPage,
+    part: ListPart<OpenQuestion>,
 ) {
     val texts = texts()
     respondPage(texts, who, texts.say("questions.title", course.name)) {
@@ -101,9 +102,9 @@ private suspend fun ApplicationCall.respondQuestions(
             a("/instructor/courses/${course.id}/kept-comments") { +texts.say("kept.open") }
         }
         p("plan") { +texts.say("questions.about") }
-        if (page.questions.isEmpty()) p { +texts.say("questions.none") }
-        page.questions.forEach { question(texts, exercises, it) }
-        page.next?.let {
+        if (part.items.isEmpty()) p { +texts.say("questions.none") }
+        part.items.forEach { question(texts, exercises, it) }
+        part.next?.let {
             p {
                 a(
                     "/instructor/courses/${course.id}/questions?after=$it",

@@ -14,7 +14,6 @@ import kotlinx.html.h3
 import kotlinx.html.p
 import rasterlab.grader.comment.CommentText
 import rasterlab.grader.complaint.ComplaintDesk
-import rasterlab.grader.complaint.ComplaintPage
 import rasterlab.grader.complaint.ListedComplaint
 import rasterlab.grader.complaint.accepts
 import rasterlab.grader.course.Accounts
@@ -22,6 +21,8 @@ import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.problem.ListPart
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.report.submissionId
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.web.PageTexts
@@ -73,7 +74,7 @@ fun Route.complaintPages(
         val course = call.courseOf(courses)
         val (open, settled) =
             listOf("after" to true, "before" to false).map { (from, waits) ->
-                complaints.ofCourse(course.id, waits, call.request.queryParameters[from])
+                complaints.ofCourse(course.id, waits, Paging(call.request.queryParameters[from]))
             }
         call.respondComplaints(who, course, exercises, open, settled)
     }
@@ -85,19 +86,19 @@ private suspend fun ApplicationCall.respondComplaints(
     who: Identity.StaffIdentity,
     course: Course,
     exercises: Exercises,
-    open: ComplaintPage,
-    settled: ComplaintPage,
+    open: ListPart<ListedComplaint>,
+    settled: ListPart<ListedComplaint>,
 ) {
     val texts = texts()
     respondPage(texts, who, texts.say("complaints.title", course.name)) {
         p { a("/instructor") { +texts.say("token.back") } }
         p("plan") { +texts.say("complaints.about") }
         h2 { +texts.say("complaints.open") }
-        if (open.complaints.isEmpty()) p { +texts.say("complaints.none") }
-        open.complaints.forEach { listed(texts, who, course, exercises, it) }
+        if (open.items.isEmpty()) p { +texts.say("complaints.none") }
+        open.items.forEach { listed(texts, who, course, exercises, it) }
         open.next?.let { p { a("${address(course)}?after=$it") { +texts.say("complaints.later") } } }
-        if (settled.complaints.isNotEmpty()) h2 { +texts.say("complaints.settled") }
-        settled.complaints.forEach { listed(texts, who, course, exercises, it) }
+        if (settled.items.isNotEmpty()) h2 { +texts.say("complaints.settled") }
+        settled.items.forEach { listed(texts, who, course, exercises, it) }
         settled.next?.let { p { a("${address(course)}?before=$it") { +texts.say("complaints.earlier") } } }
     }
 }

@@ -138,7 +138,7 @@ private suspend fun ApplicationCall.respondEditor(
         trouble()
         p { a("/submissions/${submission.id}") { +texts.say("trial.back") } }
         changing(texts, desk, submission, source)
-        others(texts, desk.trials.of(submission.id))
+        others(texts, desk.trials.of(submission.id).items)
         editor()
     }
 }
@@ -169,7 +169,13 @@ private suspend fun ApplicationCall.respondTrial(
             outcome(texts, desk, trial)
         }
         changing(texts, desk, original, trial.source)
-        others(texts, desk.trials.of(trial.submission).filter { it.id != trial.id })
+        others(
+            texts,
+            desk.trials
+                .of(trial.submission)
+                .items
+                .filter { it.id != trial.id },
+        )
         editor()
     }
 }
