@@ -1,5 +1,6 @@
 package rasterlab.grader.classroom
 
+import rasterlab.engine.raster.PixelMark
 import rasterlab.engine.raster.PixelWindow
 import kotlin.math.sqrt
 
@@ -54,9 +55,9 @@ class DifferenceSum(
         worst?.let { (at, pixel) -> said(at.first, at.second, pixel.missing, pixel.extra) }.orEmpty()
 
     /**
-     * The picture as SVG for white paper: grey squares are right, an orange ring is missing and a blue cross in excess,
-     * the larger the more students have it. It has at most [MOST_COLUMNS] × [MOST_ROWS] pixels, around the one that most
-     * have wrong.
+     * The picture as SVG for white paper: grey squares are right, a ring is missing and a cross in excess, in the color of
+     * wrong pixels everywhere, the larger the more students have it. It has at most [MOST_COLUMNS] × [MOST_ROWS] pixels,
+     * around the one that most have wrong.
      */
     fun svg(): String {
         val part = part()
@@ -99,13 +100,13 @@ class DifferenceSum(
             append(
                 """<circle cx="$x" cy="$y" r="${radius(
                     pixel.missing,
-                )}" fill="none" stroke="#d55e00" stroke-width="2"/>""",
+                )}" fill="none" stroke="$WRONG" stroke-width="2"/>""",
             )
         }
         if (pixel.extra > 0) {
             val r = radius(pixel.extra)
             append("""<path d="M${x - r} ${y - r}L${x + r} ${y + r}M${x - r} ${y + r}L${x + r} ${y - r}" """)
-            append("""stroke="#0072b2" stroke-width="2"/>""")
+            append("""stroke="$WRONG" stroke-width="2"/>""")
         }
     }
 
@@ -115,6 +116,9 @@ class DifferenceSum(
 
     private companion object {
         const val NOTHING = '.'
+
+        /** The color of marks, which nothing else has. */
+        val WRONG = "#%06x".format(PixelMark.ARGB and 0xFFFFFF)
 
         /** A right pixel that is drawn again. */
         const val AGAIN = '*'

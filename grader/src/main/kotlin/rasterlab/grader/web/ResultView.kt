@@ -265,6 +265,12 @@ private fun earned(
     texts.say("result.case.points", case.points, case.of)
 }
 
+/** What is on a picture, for people who do not see it; where it is a part of a larger one, which. */
+internal fun PageTexts.describe(picture: PublishedPicture): String {
+    val part = picture.part.getOrNull()?.takeIf { !it.isWhole } ?: return picture.text
+    return (listOf(part.message().`in`(language)) + picture.rows()).joinToString("\n")
+}
+
 private fun isOfPixels(difference: PublishedPicture) =
     difference.kind == CasePicture.DIFFERENCE && difference.rows().isNotEmpty()
 
@@ -281,7 +287,7 @@ private fun FlowContent.pictures(
         pictures.forEach { picture ->
             val name = texts.picture(picture.kind)
             figure {
-                a(picture.url) { img(src = picture.url, alt = "$case: $name\n${picture.text}") }
+                a(picture.url) { img(src = picture.url, alt = "$case: $name\n${texts.describe(picture)}") }
                 figcaption { +name }
             }
         }

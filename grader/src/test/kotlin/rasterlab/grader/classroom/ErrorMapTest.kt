@@ -68,7 +68,8 @@ class ErrorMapTest {
         row: String,
     ): CaseReport {
         val wrong = row != "ok"
-        val part = PicturePart(PixelWindow(5, 7, 4 + row.length, 7), PixelWindow(5, 7, 4 + row.length, 7), Pixel(5, 7))
+        val part =
+            PicturePart(PixelWindow(5, -7, 4 + row.length, -7), PixelWindow(5, -7, 4 + row.length, -7), Pixel(5, -7))
         val pictures =
             listOf("actual", "difference").map {
                 CasePicture(it, row.toByteArray(), Message.rows(row), Optional.of(part))
@@ -273,6 +274,11 @@ class ErrorMapTest {
                 svg,
             )
             assertEquals(1, Regex("<path").findAll(svg).count(), svg)
+            assertEquals(
+                setOf("#d55e00"),
+                Regex("""stroke="([^"]*)"""").findAll(svg).map { it.groupValues[1] }.toSet(),
+                svg,
+            )
             look(instructor, "$API/$course/$ERRORS/drawn/differences.svg").assertProblem(404, "unknown-picture")
             look(ada, path).assertProblem(403, "wrong-role")
         }
@@ -314,7 +320,7 @@ class ErrorMapTest {
             assertTrue("никто не\u00a0прошёл" in page("/instructor/courses/$course/$ERRORS?lang=ru"))
             assertTrue("There are no students on this page" in page("/instructor/courses/$course/$ERRORS?from=99"))
             val case = page("/instructor/courses/$course/$ERRORS/first")
-            assertTrue("pixel (6, 7): missing for 2, extra for 0" in case && "/first/differences.svg" in case, case)
+            assertTrue("pixel (6, −7): missing for 2, extra for 0" in case && "/first/differences.svg" in case, case)
             assertFalse("differences.svg" in page("/instructor/courses/$course/$ERRORS/drawn"))
             assertTrue("/$ERRORS\"" in page("/instructor/courses/$course/exercises"), "no way to the page")
         }

@@ -77,10 +77,11 @@ class PicturesTest {
             val english = page(cookie, "/submissions/$id?lang=en")
             val names = listOf("expected", "yours", "difference", "input")
             assertEquals(names, captions(english))
-            assertTrue("alt=\"one pixel: yours\na part\n##..\"" in english, english)
+            assertTrue("alt=\"one pixel: yours\ncolumns −2..1 of −2..99, rows 1..1 of 1..1\n##..\"" in english, english)
             assertTrue("alt=\"one pixel: input\npixel (−1, 2) is extra\"" in english, english)
             val russian = page(cookie, "/submissions/$id?lang=ru")
             assertEquals(listOf("ожидалось", "у вас", "разница", "input"), captions(russian))
+            assertTrue("столбцы −2..1 из −2..99" in russian.replace("\u00a0", " "), russian)
             assertTrue("alt=\"один пиксель: input\nлишний пиксель (−1; 2)\"" in russian, russian)
             assertTrue(""">#+-.</pre>""" in russian, russian)
         }

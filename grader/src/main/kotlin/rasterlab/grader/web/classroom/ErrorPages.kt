@@ -110,6 +110,9 @@ fun Route.errorPages(
     }
 }
 
+/** A coordinate with a minus as people write it. */
+private fun coordinate(value: Int) = "$value".replace('-', '−')
+
 internal fun errorsAddress(
     course: Course,
     exercise: Exercise,
@@ -339,7 +342,15 @@ private suspend fun ApplicationCall.respondCase(
         if (sum != null) {
             h2 { +texts.say("errors.sum") }
             p("legend") { +texts.say("errors.sum.legend") }
-            val worst = sum.inWords { x, y, missing, extra -> texts.say("errors.sum.worst", x, y, missing, extra) }
+            val worst =
+                sum.inWords {
+                    x,
+                    y,
+                    missing,
+                    extra,
+                    ->
+                    texts.say("errors.sum.worst", coordinate(x), coordinate(y), missing, extra)
+                }
             img(
                 src = differencesAddress(course, exercise, case.name),
                 alt = "${texts.say("errors.sum")}. $worst",

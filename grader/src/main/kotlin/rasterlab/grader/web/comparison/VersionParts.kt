@@ -27,6 +27,7 @@ import rasterlab.grader.comparison.LineRow
 import rasterlab.grader.comparison.NumberedLine
 import rasterlab.grader.comparison.VersionPair
 import rasterlab.grader.web.PageTexts
+import rasterlab.grader.web.describe
 import rasterlab.grader.web.scrolling
 import rasterlab.grader.web.status
 
@@ -111,7 +112,7 @@ internal fun FlowContent.versionsOfCase(
                     val name = "${attempt(texts, version)}: ${texts.picture(kind)}"
                     if (picture != null) {
                         a(picture.url) {
-                            img(src = picture.url, alt = "${case.either.title}, $name\n${picture.text}") {
+                            img(src = picture.url, alt = "${case.either.title}, $name\n${texts.describe(picture)}") {
                                 attributes["loading"] = "lazy"
                             }
                         }
