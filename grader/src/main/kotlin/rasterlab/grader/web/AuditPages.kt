@@ -59,7 +59,7 @@ private fun FlowContent.changeTable(
 private fun FlowContent.subject(one: AuditEntry) {
     val name = one.subjectName ?: one.subject
     when {
-        one.subjectName == null -> +name
+        one.subjectName == null -> +name.ifEmpty { "–" }
 
         one.action.startsWith(
             "points",

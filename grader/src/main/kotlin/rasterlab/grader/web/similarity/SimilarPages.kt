@@ -6,8 +6,6 @@ import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import kotlinx.html.FlowContent
-import kotlinx.html.TR
-import kotlinx.html.ThScope
 import kotlinx.html.a
 import kotlinx.html.code
 import kotlinx.html.div
@@ -17,12 +15,6 @@ import kotlinx.html.ol
 import kotlinx.html.p
 import kotlinx.html.section
 import kotlinx.html.span
-import kotlinx.html.table
-import kotlinx.html.tbody
-import kotlinx.html.td
-import kotlinx.html.th
-import kotlinx.html.thead
-import kotlinx.html.tr
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.score.CaseReport
 import rasterlab.grader.course.Accounts
@@ -43,7 +35,7 @@ import rasterlab.grader.web.classroom.waysOfClass
 import rasterlab.grader.web.courseOf
 import rasterlab.grader.web.instructorHere
 import rasterlab.grader.web.respondPage
-import rasterlab.grader.web.scrolling
+import rasterlab.grader.web.stacked
 import rasterlab.grader.web.staffHere
 import rasterlab.grader.web.texts
 import kotlin.math.roundToInt
@@ -111,32 +103,22 @@ private class SimilarDesk(
     private fun FlowContent.pairTable(
         texts: PageTexts,
         pairs: List<Likeness>,
-    ) = scrolling(texts.say("similarity.heading")) {
-        table {
-            thead {
-                tr {
-                    COLUMNS.filter { course == null || it != "courses" }.forEach {
-                        th(scope = ThScope.col, classes = "number".takeIf { _ -> it in NUMBERS }) {
-                            +texts.say("similar.column.$it")
-                        }
-                    }
-                }
-            }
-            tbody { pairs.forEach { tr { pair(texts, it) } } }
-        }
-    }
-
-    private fun TR.pair(
-        texts: PageTexts,
-        one: Likeness,
     ) {
-        val (first, second) = one.first to one.second
-        td { a("$address/${first.submission}/${second.submission}") { +"${first.name} – ${second.name}" } }
-        if (course == null) td { +listOf(first.course, second.course).distinct().joinToString(" – ") }
-        td("number") { +"${one.pair.rare}" }
-        td("number") { +texts.say("similar.percent", (one.pair.shared * 100).roundToInt()) }
-        td("number") { +"${one.pair.longest}" }
-        td("number") { +"${one.sameWrong.count { !CaseReport.isWithheld(it) }}" }
+        val columns: List<Pair<String, FlowContent.(Likeness) -> Unit>> =
+            listOf(
+                "pair" to { one ->
+                    a("$address/${one.first.submission}/${one.second.submission}") {
+                        +"${one.first.name} – ${one.second.name}"
+                    }
+                },
+                "courses" to { one -> +listOf(one.first.course, one.second.course).distinct().joinToString(" – ") },
+                "rare" to { +"${it.pair.rare}" },
+                "shared" to { +texts.say("similar.percent", (it.pair.shared * 100).roundToInt()) },
+                "longest" to { +"${it.pair.longest}" },
+                "wrong" to { one -> +"${one.sameWrong.count { !CaseReport.isWithheld(it) }}" },
+            )
+        val shown = columns.filter { (name) -> course == null || name != "courses" }
+        stacked(shown.map { (name, content) -> texts.say("similar.column.$name") to content }, pairs)
     }
 
     suspend fun showBeside(
@@ -170,11 +152,6 @@ private class SimilarDesk(
         val titles = cases.map { exercise.caseTitle(it, texts.language) }
         if (titles.isNotEmpty()) p { +texts.say("similar.wrong", titles.size, titles.joinToString("; ")) }
         if (withheld.isNotEmpty()) p { +texts.say("similar.withheld") }
-    }
-
-    private companion object {
-        val COLUMNS = listOf("pair", "courses", "rare", "shared", "longest", "wrong")
-        val NUMBERS = setOf("rare", "shared", "longest", "wrong")
     }
 }
 
