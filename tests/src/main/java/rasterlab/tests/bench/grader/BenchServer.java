@@ -29,6 +29,7 @@ final class BenchServer implements AutoCloseable {
     private static final String LISTENING = "listening on ";
     private static final String TOKEN = "instructor token: ";
     private static final Duration LIMIT = Duration.ofMinutes(5);
+    private static final Duration SHORT = Duration.ofSeconds(5);
     private static final int STOP_SECONDS = 60;
     private static final int FOUND = 302;
     private static final ObjectMapper JSON = new ObjectMapper();
@@ -99,6 +100,23 @@ final class BenchServer implements AutoCloseable {
         for (String line = lines.readLine(); line != null; line = lines.readLine())
             if (line.startsWith(words)) return line.substring(words.length());
         throw new IOException("the server ended before it said '" + words.strip() + "'");
+    }
+
+    URI address() {
+        return address;
+    }
+
+    /**
+     * The status with which somebody is answered who was not connected yet; 0 where there is no
+     * answer at all.
+     */
+    int statusFromAnew() throws InterruptedException {
+        var request = HttpRequest.newBuilder(address.resolve("/")).timeout(SHORT).build();
+        try {
+            return HttpClient.newHttpClient().send(request, BodyHandlers.discarding()).statusCode();
+        } catch (IOException unanswered) {
+            return 0;
+        }
     }
 
     /** The token of a new student. */

@@ -1,9 +1,11 @@
 package rasterlab.tests.bench.grader;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.net.http.HttpResponse;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -37,6 +39,13 @@ final class ServerBench {
     private static final double GOAL_BURST_DRAINED = 600;
     private static final double GOAL_PAGE = 0.5;
     private static final long GOAL_MEMORY = 400;
+    private static final int GOAL_LEAD = 1;
+    private static final double GOAL_RECOVERED = 10;
+
+    private static final int SOCKETS = 10_000;
+    private static final int OK = 200;
+    private static final long PATIENCE_NANOS = TimeUnit.MINUTES.toNanos(1);
+    private static final long PAUSE_MILLIS = 50;
 
     private final boolean quick;
     private final BenchWords words;
@@ -59,7 +68,11 @@ final class ServerBench {
             List<String> students = new ArrayList<>();
             for (int k = 0; k < some(CLASS); k++) students.add(server.join("Student " + k));
             wave(server, students, 1, "grader.class", GOAL_DRAINED);
+            memory(server);
             bombs(server, students);
+            memory(server);
+            sockets(server);
+            memory(server);
             burst(server, students);
             memory(server);
         }
@@ -126,7 +139,7 @@ final class ServerBench {
         List<Sent> sent = all(work);
         long accepted = System.nanoTime() - start;
         List<Sent> taken = sent.stream().filter(Sent::isAccepted).toList();
-        long told = sent.stream().filter(Sent::isToldToWait).count();
+        long refused = sent.stream().filter(Sent::isToldToWait).count();
         double rate = taken.size() / (accepted / 1e9);
         out.println(
                 words.text(
@@ -139,18 +152,17 @@ final class ServerBench {
                         String.valueOf(Math.round(GOAL_ACCEPTS)),
                         met(rate >= GOAL_ACCEPTS),
                         String.valueOf(taken.size()),
-                        String.valueOf(told),
-                        String.valueOf(sent.size() - taken.size() - told)));
-        List<Callable<Boolean>> results = new ArrayList<>();
+                        String.valueOf(refused),
+                        String.valueOf(sent.size() - taken.size() - refused)));
+        List<Callable<JsonNode>> results = new ArrayList<>();
         for (Sent one : taken)
-            results.add(
-                    () -> {
-                        String id = BenchServer.id(one.answer());
-                        var result = server.graded(one.student(), id);
-                        return "ok".equalsIgnoreCase(result.path("verdict").asText());
-                    });
-        long graded = all(results).stream().filter(is -> is).count();
+            results.add(() -> server.graded(one.student(), BenchServer.id(one.answer())));
+        List<JsonNode> told = all(results);
         long drained = System.nanoTime() - start;
+        long graded =
+                told.stream()
+                        .filter(one -> "ok".equalsIgnoreCase(one.path("verdict").asText()))
+                        .count();
         out.println(
                 words.text(
                         "grader.drained",
@@ -160,6 +172,43 @@ final class ServerBench {
                         seconds(drained),
                         String.valueOf(Math.round(goal)),
                         met(drained <= goal * 1e9 && graded == taken.size())));
+        List<FairOrder.Graded> order = new ArrayList<>();
+        for (int k = 0; k < taken.size(); k++) {
+            Instant at = Instant.parse(told.get(k).path("gradedAt").asText());
+            order.add(new FairOrder.Graded(taken.get(k).student(), at));
+        }
+        int lead = FairOrder.lead(order);
+        out.println(
+                words.text(
+                        "grader.fair",
+                        words.text(key),
+                        String.valueOf(lead),
+                        String.valueOf(GOAL_LEAD),
+                        met(lead <= GOAL_LEAD)));
+    }
+
+    /** Thousands of connections from one address that say nothing, and what comes after them. */
+    private void sockets(BenchServer server) throws IOException, InterruptedException {
+        int wanted = some(SOCKETS);
+        int opened;
+        int meanwhile;
+        try (var idle = IdleConnections.open(server.address(), wanted)) {
+            opened = idle.count();
+            meanwhile = server.statusFromAnew();
+        }
+        long end = System.nanoTime();
+        while (server.statusFromAnew() != OK && System.nanoTime() - end < PATIENCE_NANOS)
+            TimeUnit.MILLISECONDS.sleep(PAUSE_MILLIS);
+        long after = System.nanoTime() - end;
+        out.println(
+                words.text(
+                        "grader.sockets",
+                        String.valueOf(wanted),
+                        String.valueOf(opened),
+                        meanwhile == 0 ? words.text("grader.silent") : String.valueOf(meanwhile),
+                        seconds(after),
+                        String.valueOf(GOAL_RECOVERED),
+                        met(after <= GOAL_RECOVERED * 1e9)));
     }
 
     /** An honest student alone, and behind students whose methods do not end or eat all memory. */
