@@ -50,7 +50,7 @@ data class Exam(
     /** The moment after which nobody works on it who has at most so many minutes more than others. */
     fun over(extra: Int): Instant = closes + Duration.ofMinutes(extra.toLong()) + Duration.ofSeconds(grace.toLong())
 
-    /** Those of its times that the clocks of its zone show twice. */
+    /** Lists its times that the clocks of its zone show twice. */
     fun repeatedHours(): List<RepeatedHour> =
         RepeatedHour.among(zone, ExamField.OPENS.code to opens, ExamField.CLOSES.code to closes)
 

@@ -24,7 +24,7 @@ class RepeatedHour private constructor(
     }
 
     companion object {
-        /** Those of the moments, each with the name of its field, whose time of day comes twice. */
+        /** Picks the moments, each with the name of its field, whose time of day comes twice. */
         fun among(
             zone: ZoneId,
             vararg moments: Pair<String, Instant?>,
@@ -40,7 +40,7 @@ class RepeatedHour private constructor(
                 }
             }
 
-        /** Those of the rules of an exercise. */
+        /** Picks those of the rules of an exercise. */
         fun among(rules: ExerciseRules): List<RepeatedHour> =
             among(rules.zone, RuleField.OPENS.code to rules.opens, RuleField.DEADLINE.code to rules.due)
     }

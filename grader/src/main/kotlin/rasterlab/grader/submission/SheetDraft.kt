@@ -8,7 +8,7 @@ import rasterlab.exercises.predicting.Sheet
 import kotlin.jvm.optionals.getOrNull
 
 /**
- * What is typed into the fields of a sheet's form, as an exam keeps it until it is handed in: also what is no answer yet.
+ * Texts in the fields of a sheet's form, as an exam keeps them until they are handed in: also what is no answer yet.
  *
  * @param seed which sheet it is
  * @param typed a text for each field's name

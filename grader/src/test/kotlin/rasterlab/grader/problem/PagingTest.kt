@@ -178,7 +178,7 @@ class PagingTest {
         const val MANY = 100
         val EXAMS = listOf("first-exam", "second-exam")
 
-        /** What changes while something is graded. */
+        /** Fields that change while something is graded. */
         val MOVING = setOf("state", "verdict", "points", "of", "done", "failed", "settledAt", "grading", "seenAt")
         val WRONG = listOf("limit=0", "limit=1001", "limit=two", "limit=", "after=none", "after=")
 

@@ -163,7 +163,7 @@ class ClockChangesTest {
         /** One that comes with the program, as the command knows no others here. */
         const val EXERCISE = "line-bresenham"
 
-        /** In Berlin, clocks go from 2 to 3 that night, and from 3 to 2 in the other. */
+        /** Clocks in Berlin go from 2 to 3 that night, and from 3 to 2 in the other. */
         const val SKIPPED = "2027-03-28T02:30"
         const val TWICE = "2027-10-31T02:30"
 

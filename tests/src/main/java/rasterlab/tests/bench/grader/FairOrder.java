@@ -11,18 +11,19 @@ final class FairOrder {
     private FairOrder() {}
 
     /** A result, and the moment at which its student could read it. */
-    record Graded(String student, Instant at) {}
+    record TimedResult(String student, Instant at) {}
 
     /**
      * The most results that a student had more than another who still waited for one: 1 where they
      * take turns.
      */
-    static int lead(List<Graded> results) {
+    static int lead(List<TimedResult> results) {
         Map<String, Integer> waiting = new HashMap<>();
-        for (Graded one : results) waiting.merge(one.student(), 1, Integer::sum);
+        for (TimedResult one : results) waiting.merge(one.student(), 1, Integer::sum);
         Map<String, Integer> had = new HashMap<>();
         int lead = 0;
-        for (Graded one : results.stream().sorted(Comparator.comparing(Graded::at)).toList()) {
+        for (TimedResult one :
+                results.stream().sorted(Comparator.comparing(TimedResult::at)).toList()) {
             int mine = had.merge(one.student(), 1, Integer::sum);
             waiting.computeIfPresent(one.student(), (who, left) -> left == 1 ? null : left - 1);
             int least =

@@ -172,10 +172,10 @@ final class ServerBench {
                         seconds(drained),
                         String.valueOf(Math.round(goal)),
                         met(drained <= goal * 1e9 && graded == taken.size())));
-        List<FairOrder.Graded> order = new ArrayList<>();
+        List<FairOrder.TimedResult> order = new ArrayList<>();
         for (int k = 0; k < taken.size(); k++) {
             Instant at = Instant.parse(told.get(k).path("gradedAt").asText());
-            order.add(new FairOrder.Graded(taken.get(k).student(), at));
+            order.add(new FairOrder.TimedResult(taken.get(k).student(), at));
         }
         int lead = FairOrder.lead(order);
         out.println(
