@@ -158,7 +158,9 @@ internal class CourseRosterCommand(
     override fun call(): Int =
         options.open { database, courses ->
             val course = courses.find(options.course) ?: throw options.unknown()
-            print(RosterImport(database, InstantSource.system()).apply(course, bytes(), dry, by = "command"))
+            print(
+                RosterImport(database, InstantSource.system()).apply(course, bytes(), dry, by = "command", key = null),
+            )
             0
         }
 

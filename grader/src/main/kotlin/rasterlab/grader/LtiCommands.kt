@@ -156,7 +156,7 @@ private class LtiAddCommand : Callable<Int> {
     override fun call(): Int =
         of.open { platforms ->
             val form = PlatformForm(name, issuer, clientId, deployment, login, token, keys, makesStaff)
-            spec.print(platforms.add(form, by = "command"))
+            spec.print(platforms.add(form, by = "command", key = null))
             0
         }
 }
@@ -207,7 +207,7 @@ private class LtiKeyCommand : Callable<Int> {
 
     override fun call(): Int =
         of.openKey { key ->
-            if (new) key.renew(by = "command")
+            if (new) key.renew(by = "command", key = null)
             key.published().forEach { one ->
                 spec.commandLine().out.println(listOfNotNull(one.id, one.until?.text()).joinToString("\t"))
             }

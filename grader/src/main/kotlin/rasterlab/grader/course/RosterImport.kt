@@ -3,6 +3,7 @@ package rasterlab.grader.course
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.Secrets
 import java.time.InstantSource
 
@@ -69,22 +70,32 @@ class RosterImport(
      * Applies a roster, or with [dry] says only what would change.
      *
      * @param by who does it, for the audit
+     * @param key what the sender calls this request, so that repeating it gives the same answer with the same tokens
      */
     fun apply(
         course: Course,
         roster: ByteArray,
         dry: Boolean,
         by: String,
+        key: String?,
     ): RosterChange {
         val table = Roster.read(roster)
         if (dry) return database.read { plan(it, course, table).change(null) }
+        val owner = "roster ${course.id} $by"
+        val request = Repeatable(owner, key, String(roster, Charsets.ISO_8859_1))
         return database.write { handle ->
+            val tokens = key?.let { Secrets.derive(handle, "$owner $it") }
+            val token = { row: RosterRow -> tokens?.let { Secrets.hash("$it ${row.line}") } ?: Secrets.newToken() }
+            request.made(handle)?.let {
+                return@write KeptRosterChange.of(it).again(table, Courses.enrolled(handle, course.id), token)
+            }
             val plan = plan(handle, course, table)
             val rows = RosterRows(handle, course.id, plan.students, clock.instant())
-            val change = plan.change(rows)
+            val change = plan.change(rows, token)
             rows.write()
             val detail = "added ${change.added.size}, corrected ${change.corrected.size}"
             AuditNote(by, course.id, "roster", subject = "", detail).write(handle, clock.instant())
+            request.remember(handle, KeptRosterChange.of(change, plan.lines(change)).text(), clock.instant())
             change
         }
     }
@@ -129,10 +140,23 @@ class RosterImport(
         val matches: Map<RosterRow, Enrolled>,
         val missing: List<Enrolled>,
     ) {
-        /** @param rows what writes it, or null for a preview */
-        fun change(rows: RosterRows?): RosterChange {
+        private val news = table.rows.filter { it !in matches }
+
+        /** The line of the roster about each student, after the [change]. */
+        fun lines(change: RosterChange): Map<String, Int> =
+            matches.entries.associate { (row, student) -> student.id to row.line } +
+                change.added.zip(news).associate { (one, row) -> one.student.orEmpty() to row.line }
+
+        /**
+         * @param rows what writes it, or null for a preview
+         * @param token of a new student
+         */
+        fun change(
+            rows: RosterRows?,
+            token: (RosterRow) -> String = { "" },
+        ): RosterChange {
             val corrected = matches.mapNotNull { (row, student) -> correction(row, student, rows) }
-            val added = table.rows.filter { it !in matches }.map { addition(it, rows) }
+            val added = news.map { addition(it, rows, token) }
             return RosterChange(added, corrected, matches.size - corrected.size, missing, table.unused)
         }
 
@@ -154,12 +178,13 @@ class RosterImport(
         private fun addition(
             row: RosterRow,
             rows: RosterRows?,
+            token: (RosterRow) -> String,
         ): RosterAddition {
             if (rows == null) return RosterAddition(null, row.name.text, null, row.fields)
-            val token = Secrets.newToken()
-            val student = rows.add(row.name, token)
+            val made = token(row)
+            val student = rows.add(row.name, made)
             rows.note(student, row.fields)
-            return RosterAddition(student, row.name.text, token, row.fields)
+            return RosterAddition(student, row.name.text, made, row.fields)
         }
     }
 }

@@ -6,6 +6,7 @@ import io.ktor.server.routing.post
 import kotlinx.serialization.Serializable
 import rasterlab.grader.problem.bodyType
 import rasterlab.grader.problem.flag
+import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveAtMost
 import rasterlab.grader.problem.respondJson
 
@@ -65,7 +66,14 @@ fun Route.roster(
     val instructor = call.instructor()
     val dry = call.flag("dry")
     call.bodyType(ContentType.Text.CSV)
-    val change = roster.apply(call.course(courses), call.receiveAtMost(ROSTER_BYTES), dry, instructor.id)
+    val change =
+        roster.apply(
+            call.course(courses),
+            call.receiveAtMost(ROSTER_BYTES),
+            dry,
+            instructor.id,
+            call.idempotencyKey(),
+        )
     call.respondJson(
         RosterAnswer(
             dry,

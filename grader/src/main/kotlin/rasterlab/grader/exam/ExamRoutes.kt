@@ -24,6 +24,7 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
@@ -105,7 +106,7 @@ fun Route.exams(
         val instructor = call.instructor()
         val course = call.course(courses)
         val form = call.receiveJson(*CODES) { ExamForm(told(it), it.texts(EXERCISES).onEach(exercises::named)) }
-        call.respondJson(call.answer(exams.create(course, form, instructor.id)), Created)
+        call.respondJson(call.answer(exams.create(course, form, instructor.id, call.idempotencyKey())), Created)
     }
     get("/exams/{exam}") {
         call.staff()

@@ -6,6 +6,7 @@ import rasterlab.grader.course.Course
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.rules.named
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.text
 import java.sql.ResultSet
 import java.time.Instant
@@ -32,19 +33,24 @@ class Exams(
      * Stores a new exam.
      *
      * @param by who does it, for the audit
+     * @param key what the sender calls this request, so that repeating it makes no other exam
      * @throws Rejection.BadExam where one of its exercises is in another exam that is not over
      */
     fun create(
         course: Course,
         form: ExamForm,
         by: String,
+        key: String?,
     ): Exam {
         val exam = form.exam(course)
-        database.write { handle ->
+        val request = Repeatable("exams $by", key, "${course.id} ${ExamForm.told(exam)} ${exam.exercises}")
+        return database.write { handle ->
+            request.made(handle)?.let { return@write find(handle, it) ?: throw Rejection.UnknownExam(it) }
             store(handle, exam, taken = closed(handle, course.id, clock.instant()))
             audit(handle, exam, by, "exam", "${exam.name}: ${exam.exercises.joinToString()}")
+            request.remember(handle, exam.id, clock.instant())
+            exam
         }
-        return exam
     }
 
     /**

@@ -13,6 +13,7 @@ import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.problem.Paging
+import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
@@ -73,7 +74,10 @@ fun Route.lti(
     }
     post("/lti/platforms") {
         val instructor = call.instructor()
-        call.respondJson(answer(platforms.add(call.form(), instructor.id)), HttpStatusCode.Created)
+        call.respondJson(
+            answer(platforms.add(call.form(), instructor.id, call.idempotencyKey())),
+            HttpStatusCode.Created,
+        )
     }
     delete("/lti/platforms/{platform}") {
         val instructor = call.instructor()
@@ -84,7 +88,7 @@ fun Route.lti(
         call.respondJson(key.published().map(::answer))
     }
     post("/lti/key") {
-        key.renew(call.instructor().id)
+        key.renew(call.instructor().id, call.idempotencyKey())
         call.respondJson(key.published().map(::answer), HttpStatusCode.Created)
     }
     get("/courses/{course}/lti/scores") {

@@ -7,6 +7,7 @@ import rasterlab.grader.course.Name
 import rasterlab.grader.institution.ProviderSettings
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import java.net.URI
@@ -89,11 +90,13 @@ class Platforms(
      * Registers one.
      *
      * @param by who does it, for the audit
+     * @param key what the sender calls this request, so that repeating it registers nothing twice
      * @throws Rejection.BadPlatform
      */
     fun add(
         form: PlatformForm,
         by: String,
+        key: String?,
     ): Platform {
         val made =
             Platform(
@@ -108,14 +111,20 @@ class Platforms(
                 form.makesStaff,
                 clock.instant(),
             )
-        database.write { handle ->
+        val request = Repeatable("platforms $by", key, made.copy(id = "", addedAt = Instant.EPOCH).toString())
+        return database.write { handle ->
+            request.made(handle)?.let { id ->
+                return@write select(handle, "WHERE id = :id", "id" to id).singleOrNull()
+                    ?: throw Rejection.UnknownPlatform(id)
+            }
             if (insert(handle, made) == 0) {
                 throw Rejection.BadPlatform("taken", made.issuer, made.clientId, made.deployment)
             }
             val detail = "${made.issuer} ${made.clientId} ${made.deployment}" + if (made.makesStaff) " staff" else ""
             AuditNote(by, course = null, "lti-add", made.id, detail).write(handle, made.addedAt)
+            request.remember(handle, made.id, made.addedAt)
+            made
         }
-        return made
     }
 
     /**

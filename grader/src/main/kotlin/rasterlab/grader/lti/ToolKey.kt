@@ -13,6 +13,7 @@ import com.nimbusds.jwt.SignedJWT
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.course.AuditNote
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Repeatable
 import java.time.Duration
 import java.time.Instant
 import java.time.InstantSource
@@ -69,9 +70,15 @@ class ToolKey(
      * [KEPT], until all that it signed has run out.
      *
      * @param by who does it, for the audit
+     * @param key what the sender calls this request, so that repeating it makes no other pair
      */
-    fun renew(by: String) =
+    fun renew(
+        by: String,
+        key: String?,
+    ) {
+        val request = Repeatable("lti key $by", key, fingerprint = "")
         database.write { handle ->
+            if (request.made(handle) != null) return@write
             val now = clock.instant()
             val before = stored(handle) ?: fresh(handle)
             val until = Date.from(now + KEPT)
@@ -80,7 +87,9 @@ class ToolKey(
             val made = generated()
             put(handle, NAME, made.toJSONString())
             AuditNote(by, course = null, "lti-key", made.keyID, before.keyID).write(handle, now)
+            request.remember(handle, made.keyID, now)
         }
+    }
 
     /** A message that whoever has the public half knows to be this server's. */
     internal fun sign(claims: JWTClaimsSet): String {

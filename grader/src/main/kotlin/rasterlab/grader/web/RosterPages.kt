@@ -75,7 +75,7 @@ fun Route.rosterPages(
         val seen = fields.content(SEEN)?.let(::unpacked)
         val file = seen ?: fields.content(FILE) ?: throw Rejection.BadRoster("empty")
         if (file.size > ROSTER_BYTES) throw Rejection.TooLarge(ROSTER_BYTES)
-        val change = roster.apply(desk.course, file, dry = seen == null, who.id)
+        val change = roster.apply(desk.course, file, dry = seen == null, who.id, key = null)
         if (seen == null) desk.preview(call, who, file, change) else desk.done(call, who, change)
     }
 }

@@ -28,7 +28,7 @@ suspend fun Visit.register(
 ): Platform {
     val keys = JWKSet.parse(client.get("/lti/jwks").bodyAsText())
     platform.toolKeys = { keys }
-    return Platforms(database, InstantSource.system()).add(platform.form(makesStaff), "test")
+    return Platforms(database, InstantSource.system()).add(platform.form(makesStaff), "test", key = null)
 }
 
 /** Begins a launch, as a browser does that the platform sends. */

@@ -29,7 +29,7 @@ open class ToolKeyTest {
                     keys.map { key ->
                         CompletableFuture.supplyAsync {
                             atOnce.await()
-                            List(ROUNDS) { key.renew(by = "test").let { key.published() } }
+                            List(ROUNDS) { key.renew(by = "test", key = null).let { key.published() } }
                         }
                     }
                 for (read in reads.flatMap { it.get() }) {

@@ -77,7 +77,7 @@ internal fun Route.examDesk(
             },
         )
         val ids = typed.getAll("exercise").orEmpty().onEach { exercises.named(it) }
-        val made = exams.create(course, ExamForm(typed.told(), ids), who.id)
+        val made = exams.create(course, ExamForm(typed.told(), ids), who.id, key = null)
         call.respondRedirect("/instructor/exams/${made.id}")
     }
     get("/instructor/exams/{exam}") {

@@ -80,12 +80,12 @@ fun Route.platformPages(
                 call.respondPlatforms(who, lti, form, Refused(status, code, added(call.texts().language)))
             }
         call.attributes.put(FORM_AGAIN, again)
-        lti.platforms.add(form.platform(), who.id)
+        lti.platforms.add(form.platform(), who.id, key = null)
         call.respondRedirect(ADDRESS)
     }
     post("$ADDRESS/key") {
         call.requireOwnForm()
-        lti.key.renew(call.instructorHere(accounts).id)
+        lti.key.renew(call.instructorHere(accounts).id, key = null)
         call.respondRedirect(ADDRESS)
     }
     post("$ADDRESS/{platform}/remove") {
