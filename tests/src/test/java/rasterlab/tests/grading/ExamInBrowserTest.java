@@ -19,10 +19,12 @@ import org.openqa.selenium.WebDriverException;
 @Tag("slow")
 class ExamInBrowserTest {
     private static final String EXAM =
-            "{\"name\":\"Midterm\",\"exercises\":[\"line-bresenham\"],"
+            "{\"name\":\"Midterm\",\"exercises\":[\"line-bresenham\",\"predict-line\"],"
                     + "\"opens\":\"2026-01-01T00:00\",\"closes\":\"2098-01-01T00:00\","
                     + "\"minutes\":60,\"grace\":0}";
     private static final String TEXT = "textarea[name=source]";
+    private static final String SHEET = "form[action$='/predict-line']";
+    private static final String ANSWER = SHEET + " input[name^='answer-']";
     private static final String STATE = "form[data-draft] [role=status]";
 
     @TempDir private Path folder;
@@ -99,6 +101,25 @@ class ExamInBrowserTest {
         browser.waiting().until(driver -> browser.text(STATE).equals(saved));
         assertEquals(
                 0L, browser.driver().executeScript("return sessionStorage.length"), "still kept");
+    }
+
+    @Test
+    @DisplayName("an answer in a field is not kept by itself, or lost by a reload before it is")
+    void answersInFieldsAreKept() {
+        browser.element(ANSWER).sendKeys("12");
+        String saved = browser.element(SHEET).getAttribute("data-saved");
+        String state = SHEET + " [role=status]";
+        browser.waiting().until(driver -> browser.text(state).equals(saved));
+        browser.driver().executeScript("sessionStorage.clear()");
+        browser.driver().navigate().refresh();
+        assertEquals("12", browser.element(ANSWER).getAttribute("value"));
+        String page = browser.driver().getCurrentUrl();
+        network(false);
+        browser.element(ANSWER).sendKeys("x");
+        network(true);
+        browser.driver().get("about:blank");
+        browser.driver().get(page);
+        assertEquals("12x", browser.element(ANSWER).getAttribute("value"));
     }
 
     @Test
