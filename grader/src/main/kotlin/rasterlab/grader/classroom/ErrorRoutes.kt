@@ -19,8 +19,8 @@ import rasterlab.grader.course.course
 import rasterlab.grader.course.identity
 import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
-import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.language
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.storage.text

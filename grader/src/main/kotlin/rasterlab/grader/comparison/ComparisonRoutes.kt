@@ -6,7 +6,7 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.published.PublishedCase
 import rasterlab.grader.course.identity
-import rasterlab.grader.exercise.language
+import rasterlab.grader.problem.language
 import rasterlab.grader.problem.respondJson
 
 @Serializable

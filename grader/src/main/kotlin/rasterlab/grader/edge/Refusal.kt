@@ -2,7 +2,7 @@ package rasterlab.grader.edge
 
 import io.ktor.http.HttpStatusCode
 import kotlinx.serialization.json.Json
-import rasterlab.grader.exercise.LANGUAGES
+import rasterlab.grader.problem.LANGUAGES
 import rasterlab.grader.problem.ProblemDocument
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.plainErrorPage

@@ -1,7 +1,7 @@
 package rasterlab.grader.edge
 
 import io.ktor.http.parseHeaderValue
-import rasterlab.grader.exercise.LANGUAGES
+import rasterlab.grader.problem.LANGUAGES
 import rasterlab.grader.problem.isForPrograms
 import rasterlab.grader.web.LANGUAGE_COOKIE
 

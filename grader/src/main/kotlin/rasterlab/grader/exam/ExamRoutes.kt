@@ -21,10 +21,10 @@ import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
-import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.language
 import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson

@@ -16,7 +16,9 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.language
 import rasterlab.grader.problem.paging
+import rasterlab.grader.problem.pictureLanguage
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.problem.respondPart
 import rasterlab.grader.rules.ExerciseRules

@@ -12,8 +12,8 @@ import io.ktor.server.util.getOrFail
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.instructor
 import rasterlab.grader.exercise.Exercises
-import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.language
 import rasterlab.grader.rules.CourseExercises
 import rasterlab.grader.submission.Marks
 

@@ -19,9 +19,9 @@ import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.exercise.Exercises
-import rasterlab.grader.exercise.language
-import rasterlab.grader.exercise.pictureLanguage
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.language
+import rasterlab.grader.problem.pictureLanguage
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.submission.Live

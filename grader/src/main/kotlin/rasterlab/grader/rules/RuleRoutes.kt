@@ -11,8 +11,8 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.course
 import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
-import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Paging
+import rasterlab.grader.problem.language
 import rasterlab.grader.problem.linkNext
 import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson

@@ -13,10 +13,10 @@ import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.grader.course.staff
 import rasterlab.grader.exercise.Exercises
-import rasterlab.grader.exercise.language
-import rasterlab.grader.exercise.pictureLanguage
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.language
 import rasterlab.grader.problem.paging
+import rasterlab.grader.problem.pictureLanguage
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.problem.respondPart
 import rasterlab.grader.report.CopiedResults

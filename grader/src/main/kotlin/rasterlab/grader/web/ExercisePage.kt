@@ -16,10 +16,10 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.formula.Formulas
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
-import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.exercise.starterFile
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.TakenHint
+import rasterlab.grader.problem.LANGUAGES
 import rasterlab.grader.rules.CountingPolicy
 import rasterlab.grader.rules.CourseRules
 import rasterlab.grader.rules.ExerciseRules

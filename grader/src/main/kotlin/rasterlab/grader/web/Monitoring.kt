@@ -11,9 +11,9 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.jsonObject
 import rasterlab.engine.ProductVersion
 import rasterlab.exercises.runner.Isolation
-import rasterlab.grader.exercise.language
 import rasterlab.grader.metrics.Meters
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.language
 import rasterlab.grader.problem.respondProblem
 import rasterlab.grader.storage.Database
 

@@ -46,7 +46,7 @@ import kotlinx.html.title
 import kotlinx.html.tr
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.StaffRole
-import rasterlab.grader.exercise.LANGUAGES
+import rasterlab.grader.problem.LANGUAGES
 import rasterlab.grader.submission.HandedForm
 
 /**

@@ -3,8 +3,8 @@ package rasterlab.grader.web
 import io.ktor.http.CookieEncoding
 import io.ktor.server.application.ApplicationCall
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.grader.exercise.LANGUAGES
-import rasterlab.grader.exercise.acceptedLanguage
+import rasterlab.grader.problem.LANGUAGES
+import rasterlab.grader.problem.acceptedLanguage
 import rasterlab.grader.rules.READERS_ZONE
 import rasterlab.grader.rules.named
 import rasterlab.grader.wording.Wording

@@ -265,7 +265,7 @@ private fun earned(
     texts.say("result.case.points", case.points, case.of)
 }
 
-/** What is on a picture, for people who do not see it; where it is a part of a larger one, which. */
+/** Tells people who do not see a picture what is on it; where it is a part of a larger one, which. */
 internal fun PageTexts.describe(picture: PublishedPicture): String {
     val part = picture.part.getOrNull()?.takeIf { !it.isWhole } ?: return picture.text
     return (listOf(part.message().`in`(language)) + picture.rows()).joinToString("\n")

@@ -21,8 +21,8 @@ import rasterlab.grader.course.SESSION_COOKIE
 import rasterlab.grader.course.VIEW_COOKIE
 import rasterlab.grader.course.sessionCookie
 import rasterlab.grader.course.viewedStudent
-import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.forwarding.Forwarding
+import rasterlab.grader.problem.LANGUAGES
 import rasterlab.grader.problem.Rejection
 import java.net.URI
 

@@ -1,8 +1,7 @@
-package rasterlab.grader.exercise
+package rasterlab.grader.problem
 
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.request.acceptLanguageItems
-import rasterlab.grader.problem.Rejection
 
 /** The languages of exercises and pages; the first is for those who speak none of them. */
 val LANGUAGES = listOf("en", "ru")
