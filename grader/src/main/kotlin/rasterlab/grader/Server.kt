@@ -60,6 +60,7 @@ import rasterlab.grader.exam.exams
 import rasterlab.grader.exam.guardExams
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
+import rasterlab.grader.exercise.language
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.hints
@@ -328,7 +329,13 @@ class Server(
                 roster(courses, roster)
                 grades(grades)
                 exercises(exercises, ::closedTo, sheets::starter, rules::of, submissions::standingOf)
-                exerciseRules(courses, rules, chosen, exercises.all.map { it.id() }) { exercises.named(it) }
+                exerciseRules(
+                    courses,
+                    rules,
+                    chosen,
+                    exercises.all.map { it.id() },
+                    { exercises.named(it) },
+                ) { it.language() }
                 courseExercises(courses, chosen)
                 courseLimits(courses, limits)
                 clones(courses, clones)
