@@ -60,7 +60,6 @@ import rasterlab.grader.exam.exams
 import rasterlab.grader.exam.guardExams
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
-import rasterlab.grader.exercise.language
 import rasterlab.grader.forwarding.Forwarding
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.hints
@@ -329,13 +328,7 @@ class Server(
                 roster(courses, roster)
                 grades(grades)
                 exercises(exercises, ::closedTo, sheets::starter, rules::of, submissions::standingOf)
-                exerciseRules(
-                    courses,
-                    rules,
-                    chosen,
-                    exercises.all.map { it.id() },
-                    { exercises.named(it) },
-                ) { it.language() }
+                exerciseRules(courses, rules, chosen, exercises.all.map { it.id() }) { exercises.named(it) }
                 courseExercises(courses, chosen)
                 courseLimits(courses, limits)
                 clones(courses, clones)

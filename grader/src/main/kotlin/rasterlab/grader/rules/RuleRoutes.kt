@@ -1,6 +1,5 @@
 package rasterlab.grader.rules
 
-import io.ktor.server.application.ApplicationCall
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.routing.patch
@@ -64,7 +63,6 @@ private data class AllRulesAnswer(
  *
  * @param ids of the exercises there are
  * @param known throws the rejection of an exercise that there is not
- * @param language of what a call is told
  */
 fun Route.exerciseRules(
     courses: Courses,
@@ -72,21 +70,20 @@ fun Route.exerciseRules(
     chosen: CourseExercises,
     ids: List<String>,
     known: (String) -> Unit,
-    language: (ApplicationCall) -> String,
 ) {
     get("/courses/{course}/exercises") {
         call.staff()
         val course = call.course(courses)
         val set = rules.ofCourse(course)
         val had = chosen.of(course.id).toSet()
-        val words = language(call)
+        val language = call.language()
         val part = call.paging(Paging.WHOLE).of(ids) { it }
         val elsewhere = ids - part.items.toSet()
         val extensions = rules.extensions(course).filter { it.exercise !in elsewhere }
         call.linkNext(part)
         call.respondJson(
             AllRulesAnswer(
-                part.items.map { answer(it, set[it] ?: ExerciseRules(), it in had, words) },
+                part.items.map { answer(it, set[it] ?: ExerciseRules(), it in had, language) },
                 extensions.map { GivenExtension(it.student, it.name, it.exercise, it.due.text(), it.reason) },
                 part.next,
             ),
@@ -98,7 +95,7 @@ fun Route.exerciseRules(
         val change = call.receiveJson(*CODES) { RuleChange(told(it)) }
         val course = call.course(courses)
         val after = rules.change(course, exercise, change, instructor.id)
-        call.respondJson(answer(exercise, after, exercise in chosen.of(course.id), language(call)))
+        call.respondJson(answer(exercise, after, exercise in chosen.of(course.id), call.language()))
     }
     put("/courses/{course}/exercises/{id}/extensions/{student}") {
         val instructor = call.instructor()
@@ -111,7 +108,7 @@ fun Route.exerciseRules(
         val holds = rules.extend(call.course(courses), exercise, student, until, reason, instructor.id)
         val notes =
             RepeatedHour.among(holds.zone, RuleField.DEADLINE.code to holds.due).map {
-                it.said(Locale.forLanguageTag(language(call)))
+                it.said(Locale.forLanguageTag(call.language()))
             }
         call.respondJson(ExtensionAnswer(student, exercise, holds.due?.text(), notes))
     }
