@@ -131,7 +131,9 @@ private fun programOf(words: CommandWords): CommandLine =
                 .addSubcommand(CourseCloneCommand())
                 .addSubcommand(CourseGradesCommand())
                 .addSubcommand(ServerHelpCommand(words)),
-        ).addSubcommand(
+        ).addSubcommand(studentCommands(words))
+        .addSubcommand(ExportCommand(words))
+        .addSubcommand(
             CommandLine(StaffCommand(words))
                 .addSubcommand(StaffListCommand())
                 .addSubcommand(StaffAddCommand())

@@ -63,6 +63,13 @@ class RussianCommandTest {
             "course rules --help",
             "course extend --help",
             "course grades --help",
+            "student --help",
+            "student list --help",
+            "student show --help",
+            "student export --help",
+            "student delete --help",
+            "help student delete",
+            "export --help",
             "staff --help",
             "staff list --help",
             "staff add --help",
@@ -130,6 +137,11 @@ class RussianCommandTest {
             "backup FOLDER/b --data FOLDER/none --lang ru",
             "restore FOLDER/b --data FOLDER/new --lang ru",
             "token --data FOLDER/none --lang ru",
+            "student --lang ru",
+            "student export x --as zip --data FOLDER --lang ru",
+            "student export x --as doc --data FOLDER --lang ru",
+            "student delete --lang ru",
+            "export x --to FILE --data FOLDER --lang ru",
             "help nope --lang ru",
             "nope --lang ru",
             "serve --port 0 --exercises BROKEN --lang ru",
@@ -172,7 +184,9 @@ class RussianCommandTest {
         val said = printed.toString()
         assertTrue(Regex("no command 'nope'|нет команды «nope»").containsMatchIn(said), said)
         assertTrue(
-            said.trim().endsWith("serve, worker, backup, restore, token, course, staff, regrade, lti, help"),
+            said.trim().endsWith(
+                "serve, worker, backup, restore, token, course, student, export, staff, regrade, lti, help",
+            ),
             said,
         )
     }
@@ -235,7 +249,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "lang.*|java-images.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|public-address|oidc-.*|sign-in-.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|worker\\..*|process\\.name.*|course\\.(of|file|dry|for|exercises)|rules\\..*|staff\\.(name|id|role|only|course)|lti\\..*|regrade\\.(id|of.*|submission|dry)",
+                    "lang.*|java-images.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|proxy.*|public-address|oidc-.*|sign-in-.*|tls-.*|(entries|submissions)-per-minute.*|waiting.*|config.*|host.*|port|db.*|exam|exercises|workers.*|worker\\..*|process\\.name.*|course\\.(of|file|dry|for|exercises)|rules\\..*|student\\.(id|json|as|yes)|export\\.to|staff\\.(name|id|role|only|course)|lti\\..*|regrade\\.(id|of.*|submission|dry)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

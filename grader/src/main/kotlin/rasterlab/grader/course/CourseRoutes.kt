@@ -51,18 +51,6 @@ private data class RevokedAnswer(
     val revokedAt: String,
 )
 
-/** A student as staff are told; the number of the institution and the address are for those who may take data away. */
-@Serializable
-private data class StudentAnswer(
-    val student: String,
-    val number: Int,
-    val name: String,
-    val shownName: String,
-    val idNumber: String?,
-    val email: String?,
-    val joinedAt: String,
-)
-
 /** Serves courses to instructors, inside `authenticate`. */
 fun Route.courses(
     courses: Courses,
@@ -88,12 +76,13 @@ fun Route.courses(
         val who = call.staff()
         val course = call.course(courses)
         val part = call.paging(usual = Paging.WHOLE).of(courses.students(course.id).orEmpty()) { it.id }
-        call.respondPart(part.map { answer(it, who) })
+        call.respondPart(part.map { it.told(withRoster = who is Identity.Instructor) })
     }
     get("/courses/{course}/students/{student}") {
         val who = call.staff()
         val course = call.course(courses)
-        call.respondJson(answer(courses.student(course.id, call.parameters.getOrFail("student")), who))
+        val student = courses.student(course.id, call.parameters.getOrFail("student"))
+        call.respondJson(student.told(withRoster = who is Identity.Instructor))
     }
     post("/students/{student}/token") {
         val instructor = call.instructor()
@@ -118,22 +107,6 @@ internal fun ApplicationCall.course(courses: Courses): Course {
 
 private fun answer(one: CourseOverview) =
     CourseOverviewAnswer(one.course.id, one.course.code, one.course.name, one.madeAt.text(), one.students)
-
-private fun answer(
-    one: Enrolled,
-    who: Identity.StaffIdentity,
-): StudentAnswer {
-    val known = if (who is Identity.Instructor) one.fields else emptyMap()
-    return StudentAnswer(
-        one.id,
-        one.number,
-        one.name,
-        one.shownName,
-        known.idNumber,
-        known.email,
-        one.joinedAt.text(),
-    )
-}
 
 /**
  * Lets anyone join, inside a rate limit. A repeatable request needs a key that nobody guesses,

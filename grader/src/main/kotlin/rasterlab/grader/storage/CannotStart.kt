@@ -58,6 +58,8 @@ class CannotStart(
         NO_COURSE("no.course"),
         NO_EXERCISE("no.exercise"),
         ROSTER_FILE("roster.file"),
+        EXPORT_THERE("export.there"),
+        EXPORT_FAILED("export.failed"),
         PROXY("proxy"),
         TLS_PAIR("tls.pair"),
         TLS_FILE("tls.file"),

@@ -46,7 +46,9 @@ fun Route.studentRecords(
 private const val JSON = "json"
 private const val ZIP = "zip"
 private val ZIPPED = ContentType.parse("application/zip")
-private val readable = Json { prettyPrint = true }
+
+/** Writes the document for people. */
+internal val readable = Json { prettyPrint = true }
 
 /**
  * Answers with the document, and each source as a file of its own.
@@ -57,6 +59,19 @@ suspend fun ApplicationCall.respondZip(
     kept: KeptStudent,
     ending: (String) -> String,
 ) {
+    response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"student-${kept.number}.zip\"")
+    respondBytes(zipped(kept, ending), ZIPPED)
+}
+
+/**
+ * The document, and each source as a file of its own, in a ZIP file.
+ *
+ * @param ending of a source's file, by exercise
+ */
+internal fun zipped(
+    kept: KeptStudent,
+    ending: (String) -> String,
+): ByteArray {
     val bytes = ByteArrayOutputStream()
     ZipOutputStream(bytes).use { zip ->
         fun file(
@@ -72,6 +87,5 @@ suspend fun ApplicationCall.respondZip(
             file("${one.exercise}/attempt-${one.attempt}.${ending(one.exercise)}", one.source)
         }
     }
-    response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"student-${kept.number}.zip\"")
-    respondBytes(bytes.toByteArray(), ZIPPED)
+    return bytes.toByteArray()
 }
