@@ -37,6 +37,10 @@ internal class NameLock private constructor(
         private const val NAME_LOCK = 7_271_003
         private const val SECONDS = 5
 
+        /** The server ends a connection whose other end is gone without a word within a minute, and the lock with it. */
+        private const val PROBE =
+            "SET tcp_keepalives_idle = 30; SET tcp_keepalives_interval = 10; SET tcp_keepalives_count = 3"
+
         private const val TAKE =
             "SELECT pg_try_advisory_lock_shared($SERVER_LOCK), pg_try_advisory_lock($NAME_LOCK, %d)"
 
@@ -58,6 +62,7 @@ internal class NameLock private constructor(
             val connection = address.source(patienceSeconds = 0).connection
             val taken =
                 connection.createStatement().use { statement ->
+                    statement.execute(PROBE)
                     statement.executeQuery(TAKE.format(name.hashCode())).use {
                         it.next() && it.getBoolean(1) && it.getBoolean(2)
                     }

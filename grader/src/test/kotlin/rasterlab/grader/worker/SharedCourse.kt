@@ -35,12 +35,14 @@ class SharedCourse(
     fun handInEndless(student: Identity.StudentIdentity): String =
         students.handIn(student, exercise.starter().replace("out) {}", "out) { while (true) if (x0 > 1e9) break; }"))
 
+    /** @param through the address of the database as the worker has it */
     fun worker(
         name: String,
         vararg more: String,
+        through: String = address,
     ): GraderProcess {
         val data = folder.resolve("of-$name")
-        return start("worker", "--db", address, "--data", "$data", "--name", name, *IMAGES, *more).also {
+        return start("worker", "--db", through, "--data", "$data", "--name", name, *IMAGES, *more).also {
             assertEquals(name, it.line("grading as "))
         }
     }

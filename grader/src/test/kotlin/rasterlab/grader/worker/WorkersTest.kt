@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.postgres.OnPostgres
+import rasterlab.grader.postgres.Relay
 import java.nio.file.Path
 
 /** Worker processes on one database. */
@@ -81,6 +82,28 @@ class WorkersTest {
             course.worker(holder)
             course.awaitAllDone()
             course.requireEachOnce()
+        }
+
+    @Test
+    @DisplayName("a worker that a split network cut off writes a second result, or takes nothing when it is mended")
+    fun goesOnAfterASplitNetwork() =
+        SharedCourse(folder, "split").use { course ->
+            val ada = course.student("Ada")
+            Relay(course.address).use { network ->
+                course.worker("first", through = network.address)
+                val id = course.handIn(ada)
+                course.await("expected the submission to be taken") { course.heldBy("first") == listOf(id) }
+                network.cut()
+                course.expire("first")
+                val second = course.worker("second")
+                course.awaitAllDone()
+                second.kill()
+                val next = course.handIn(ada)
+                network.mend()
+                course.awaitAllDone()
+                course.requireEachOnce()
+                assertEquals(listOf("done"), course.rows("SELECT state FROM submissions WHERE id = '$next'"))
+            }
         }
 
     @Test
