@@ -31,7 +31,7 @@ import kotlin.io.path.inputStream
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** On the server's machine, students and marks are reached without a token. */
+/** Commands on the server's machine reach students and marks without a token. */
 @Tag("slow")
 class StudentCommandsTest {
     @TempDir
