@@ -117,7 +117,7 @@ fun Route.regrades(
     for ((name, decide) in DECISIONS) {
         post("/regrades/{regrade}/$name") {
             val instructor = call.instructor()
-            val decided = regrades.decide(call.regradeId(), instructor.id)
+            val decided = regrades.decide(call.regradeId(), instructor.id, call.idempotencyKey())
             live.announce()
             call.respondJson(answer(decided))
         }
@@ -125,7 +125,7 @@ fun Route.regrades(
 }
 
 /** The ways to decide on a regrade, by the word that asks for each. */
-val DECISIONS: Map<String, Regrades.(String, String) -> Regrade> =
+val DECISIONS: Map<String, Regrades.(String, String, String?) -> Regrade> =
     mapOf("accept" to Regrades::accept, "discard" to Regrades::discard, "undo" to Regrades::undo)
 
 fun ApplicationCall.regradeId(): String = parameters.getOrFail("regrade")

@@ -144,8 +144,9 @@ class Regrades(
     fun accept(
         id: String,
         by: String,
+        key: String? = null,
     ): Regrade =
-        decide(id, by, "accept", RegradeState.GRADED) {
+        decide(id, by, key, "accept", RegradeState.GRADED) {
             RegradedResults.accept(it, id, clock.instant())
         }
 
@@ -153,8 +154,9 @@ class Regrades(
     fun discard(
         id: String,
         by: String,
+        key: String? = null,
     ): Regrade =
-        decide(id, by, "discard", RegradeState.GRADING, RegradeState.GRADED) {
+        decide(id, by, key, "discard", RegradeState.GRADING, RegradeState.GRADED) {
             it
                 .createUpdate(
                     """UPDATE regrade_items SET state = 'done', lease = NULL, lease_until = NULL
@@ -168,27 +170,34 @@ class Regrades(
     fun undo(
         id: String,
         by: String,
+        key: String? = null,
     ): Regrade =
-        decide(id, by, "undo", RegradeState.ACCEPTED) {
+        decide(id, by, key, "undo", RegradeState.ACCEPTED) {
             val replaced = RegradedResults.replaced(it, id)
             if (replaced > 0) throw Rejection.RegradeStands("later", replaced)
             RegradedResults.undo(it, id, clock.instant())
         }
 
+    /** @param key what the sender calls this request, so that repeating it is answered as before */
     private fun decide(
         id: String,
         by: String,
+        key: String?,
         action: String,
         vararg allowed: RegradeState,
         change: (Handle) -> Unit,
-    ): Regrade =
-        database.write { handle ->
+    ): Regrade {
+        val request = Repeatable("regrade $by", key, "$action $id")
+        return database.write { handle ->
             val regrade = named(handle, id)
+            if (request.made(handle) != null) return@write regrade
             if (regrade.state !in allowed) throw Rejection.RegradeStands("$action.${regrade.state.code}")
             change(handle)
             note(handle, regrade.course, by, "regrade-$action", id, regrade.exercise)
+            request.remember(handle, id, clock.instant())
             named(handle, id)
         }
+    }
 
     private fun requireFree(
         handle: Handle,

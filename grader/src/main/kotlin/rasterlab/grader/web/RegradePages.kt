@@ -76,7 +76,7 @@ fun Route.regradePages(
                     call.respondRegrade(who, regrades, exercises, Refused(status, code, added(call.texts().language)))
                 }
             call.attributes.put(FORM_AGAIN, again)
-            val decided = regrades.decide(id, who.id)
+            val decided = regrades.decide(id, who.id, null)
             live.announce()
             call.respondRedirect(regradeAddress(decided))
         }

@@ -84,6 +84,26 @@ class RepeatedRequestsTest {
         }
 
     @Test
+    @DisplayName("a decision on a regrade that is sent again is refused, or done twice")
+    fun aDecisionIsAnsweredAgain() =
+        Classroom(folder).open {
+            val course = newCourse()
+            val student = newStudent(course)
+            eventsToTheEnd(student, submit(student).json().text("id"))
+            val begun = send("/api/v1/courses/$course/exercises/draw-dot/regrade?dry=true", "{}").json().text("regrade")
+            look(instructor, "/api/v1/regrades/$begun/events").bodyAsText()
+            for (word in listOf("accept", "undo")) {
+                val answers = List(2) { send("/api/v1/regrades/$begun/$word", body = null, key = word) }
+                assertEquals(listOf(200, 200), answers.map { it.status.value })
+                assertEquals(answers[0].bodyAsText(), answers[1].bodyAsText())
+                assertEquals("1", one("SELECT count(*) FROM audit WHERE action = 'regrade-$word'"))
+            }
+            send("/api/v1/regrades/$begun/accept", body = null, key = "undo")
+                .assertProblem(422, "idempotency-key-reused")
+            send("/api/v1/regrades/$begun/undo", body = null, key = "another").assertProblem(409, "regrade-stands")
+        }
+
+    @Test
     @DisplayName("a request that makes something takes no key")
     fun whateverMakesSomethingTakesAKey() =
         Classroom(folder).open(grades = false) {
@@ -141,8 +161,7 @@ class RepeatedRequestsTest {
 
         /** The calls that leave the same behind when they are done twice, or are refused the second time. */
         val CHANGES_ONLY =
-            listOf("accept", "discard", "undo").map { "/api/v1/regrades/{regrade}/$it" }.toSet() +
-                listOf("drain", "resume").map { "/api/v1/workers/{worker}/$it" } +
+            listOf("drain", "resume").map { "/api/v1/workers/{worker}/$it" }.toSet() +
                 "/api/v1/courses/{course}/lti/scores/send" +
                 "/api/v1/submissions/{id}/comments/{comment}/answered" +
                 "/api/v1/exams/{exam}/students/{student}/release"
