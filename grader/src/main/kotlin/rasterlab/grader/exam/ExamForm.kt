@@ -4,6 +4,7 @@ import rasterlab.grader.course.Course
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.rules.RuleChange
 import rasterlab.grader.rules.named
+import rasterlab.grader.rules.withOffset
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import java.time.DateTimeException
@@ -47,7 +48,7 @@ class ExamForm(
         val zone = zone()
         val opens = RuleChange.moment(ExamField.OPENS.code, text(ExamField.OPENS), zone, begins = true)
         val closes = RuleChange.moment(ExamField.CLOSES.code, text(ExamField.CLOSES), zone)
-        if (opens >= closes) throw Rejection.BadExam("order", "$opens", "$closes")
+        if (opens >= closes) throw Rejection.BadExam("order", opens.withOffset(zone), closes.withOffset(zone))
         if (exercises.isEmpty()) throw Rejection.BadExam("exercises")
         val name = text(ExamField.NAME)
         if (name.length !in NAME || name.any { it.isISOControl() }) {

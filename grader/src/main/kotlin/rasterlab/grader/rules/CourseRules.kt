@@ -170,7 +170,7 @@ class CourseRules(
     ): Instant {
         val due = rules.due ?: throw Rejection.BadRule("no.deadline", exercise)
         val later = RuleChange.moment(RuleField.DEADLINE.code, until, rules.zone)
-        if (later <= due) throw Rejection.BadRule("earlier", "$later", "$due")
+        if (later <= due) throw Rejection.BadRule("earlier", later.withOffset(rules.zone), due.withOffset(rules.zone))
         return later
     }
 

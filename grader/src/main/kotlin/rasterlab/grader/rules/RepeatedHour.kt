@@ -6,6 +6,9 @@ import java.time.ZoneId
 import java.time.ZonedDateTime
 import java.util.Locale
 
+/** Writes a moment as the clocks of a zone show it, such as 2027-03-28T03:00+02:00. */
+internal fun Instant.withOffset(zone: ZoneId): String = "${atZone(zone).toOffsetDateTime()}"
+
 /** A moment of an hour that the clocks of its zone show twice, since they are set back after it. */
 class RepeatedHour private constructor(
     private val field: String,

@@ -64,7 +64,7 @@ class RuleChange(
                     } ?: 0,
             )
         if (after.opens != null && after.due != null && after.opens >= after.due) {
-            throw Rejection.BadRule("order", "${after.opens}", "${after.due}")
+            throw Rejection.BadRule("order", after.opens.withOffset(zone), after.due.withOffset(zone))
         }
         return after
     }

@@ -101,6 +101,30 @@ class ClockChangesTest {
         }
 
     @Test
+    @DisplayName("what is refused since it is too early is told in another zone than it was typed in")
+    fun refusesInTheZoneOfTheRules() =
+        classroom().open(grades = false) {
+            val course = newCourse()
+            newStudent(course)
+            val refused =
+                rule(course, """{"opens":"2027-04-02T08:00","deadline":"2027-04-01T08:00","zone":"Europe/Berlin"}""")
+            assertEquals(
+                "opens is 2027-04-02T08:00+02:00, but the deadline is 2027-04-01T08:00+02:00; expected an earlier moment",
+                refused.json().text("detail"),
+            )
+            rule(course, """{"deadline":"2027-04-01T08:00","zone":"Europe/Berlin"}""")
+            val earlier = extend(course, "2027-03-01T08:00").json().text("detail")
+            assertTrue("2027-03-01T08:00+01:00 is not after" in earlier && "2027-04-01T08:00+02:00" in earlier, earlier)
+            val exam = EXAM + listOf("opens" to "2027-04-02T08:00", "closes" to "2027-04-01T08:00")
+            val made =
+                sendForm(
+                    "/instructor/courses/${one("SELECT id FROM courses")}/exams",
+                    exam.formUrlEncode(),
+                ).bodyAsText()
+            assertTrue("opens is 2027-04-02T08:00+02:00" in made, made)
+        }
+
+    @Test
     @DisplayName("a page tells a time in another zone than that of the course, or does not name the zone")
     fun tellsOneZone() =
         classroom().open {

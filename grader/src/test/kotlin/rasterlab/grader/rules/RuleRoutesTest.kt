@@ -80,7 +80,7 @@ class RuleRoutesTest {
                     """{"policy":"worst"}""" to "policy is 'worst', allowed are best, last, chosen",
                     """{"opens":"tomorrow"}""" to "opens is 'tomorrow'; expected a moment such as",
                     """{"opens":"2027-03-02T00:00Z","deadline":"2027-03-01T00:00Z"}""" to
-                        "opens is 2027-03-02T00:00:00Z",
+                        "opens is 2027-03-02T00:00Z",
                 )
             for ((body, said) in refusals) {
                 val answer = rule(course, body)
