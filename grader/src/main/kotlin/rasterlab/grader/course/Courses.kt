@@ -114,7 +114,7 @@ class Courses(
             val student =
                 request.made(handle)
                     ?: StudentRows(handle, course.id, clock.instant())
-                        .add(name, token)
+                        .run { add(name, token).also { write() } }
                         .also { request.remember(handle, it, clock.instant()) }
             NewStudent(student, token)
         }

@@ -90,7 +90,7 @@ class RosterImport(
                 return@write KeptRosterChange.of(it).again(table, Courses.enrolled(handle, course.id), token)
             }
             val plan = plan(handle, course, table)
-            val rows = RosterRows(handle, course.id, plan.students, clock.instant())
+            val rows = StudentRows(handle, course.id, clock.instant())
             val change = plan.change(rows, token)
             rows.write()
             val detail = "added ${change.added.size}, corrected ${change.corrected.size}"
@@ -121,7 +121,7 @@ class RosterImport(
             taken.put(found.id, row)?.let { throw Rejection.BadRoster("both", it.line, row.line, found.shownName) }
             matches[row] = found
         }
-        return Plan(table, students, matches, students.filter { it.id !in taken })
+        return Plan(table, matches, students.filter { it.id !in taken })
     }
 
     /** The student of that name, unless a roster said before that this is somebody else. */
@@ -136,7 +136,6 @@ class RosterImport(
 
     private class Plan(
         val table: RosterTable,
-        val students: List<Enrolled>,
         val matches: Map<RosterRow, Enrolled>,
         val missing: List<Enrolled>,
     ) {
@@ -152,7 +151,7 @@ class RosterImport(
          * @param token of a new student
          */
         fun change(
-            rows: RosterRows?,
+            rows: StudentRows?,
             token: (RosterRow) -> String = { "" },
         ): RosterChange {
             val corrected = matches.mapNotNull { (row, student) -> correction(row, student, rows) }
@@ -163,13 +162,13 @@ class RosterImport(
         private fun correction(
             row: RosterRow,
             student: Enrolled,
-            rows: RosterRows?,
+            rows: StudentRows?,
         ): RosterCorrection? {
             val before = student.fields
             val news = row.fields.filter { (kind, value) -> before[kind] != value }
             val renamed = row.name.text != student.name
             if (news.isEmpty() && !renamed) return null
-            if (renamed) rows?.rename(student, row.name)
+            if (renamed) rows?.rename(student.id, student.number, row.name)
             rows?.note(student.id, news)
             val changes = news.map { (kind, value) -> FieldChange(kind, before[kind], value) }
             return RosterCorrection(student.id, student.name, row.name.text, changes, before + news)
@@ -177,7 +176,7 @@ class RosterImport(
 
         private fun addition(
             row: RosterRow,
-            rows: RosterRows?,
+            rows: StudentRows?,
             token: (RosterRow) -> String,
         ): RosterAddition {
             if (rows == null) return RosterAddition(null, row.name.text, null, row.fields)

@@ -5,34 +5,37 @@ import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import java.time.Instant
 
-/** Writes the students of one course, in the transaction of [handle]. */
+/**
+ * Writes the students of one course, in the transaction of [handle]; nobody else comes while it lasts. Nothing is written
+ * before [write], which takes one batch for each kind of row, since others wait for the one writer meanwhile.
+ */
 internal class StudentRows(
     private val handle: Handle,
     private val course: String,
     private val now: Instant,
 ) {
+    private val names by lazy { ShownNames(shownBefore()) }
+    private val before by lazy(::lastNumber)
+    private val added = handle.prepareBatch(ADD)
+    private val renamed = handle.prepareBatch(RENAME)
+    private val noted = handle.prepareBatch(NOTE)
+
     /** The id of a new student. */
     fun add(
         name: Name,
         token: String,
     ): String {
         val student = Secrets.newId()
-        val number =
-            handle
-                .createQuery("SELECT coalesce(max(number), 0) + 1 FROM students WHERE course_id = :course")
-                .bind("course", course)
-                .mapTo(Int::class.javaObjectType)
-                .one()
-        handle
-            .createUpdate(ADD)
+        val number = before + added.size() + 1
+        added
             .bind("id", student)
             .bind("course", course)
             .bind("number", number)
             .bind("name", name.text)
-            .bind("shown", shownName(name, number))
+            .bind("shown", names.give(number, name))
             .bind("hash", Secrets.hash(token))
             .bind("now", now.text())
-            .execute()
+            .add()
         return student
     }
 
@@ -42,12 +45,11 @@ internal class StudentRows(
         number: Int,
         name: Name,
     ) {
-        handle
-            .createUpdate(RENAME)
+        renamed
             .bind("id", student)
             .bind("name", name.text)
-            .bind("shown", shownName(name, number))
-            .execute()
+            .bind("shown", names.give(number, name))
+            .add()
     }
 
     /** Puts what a roster says of a student in the place of what one said before. */
@@ -56,33 +58,41 @@ internal class StudentRows(
         fields: Map<String, String>,
     ) {
         for ((kind, value) in fields) {
-            handle
-                .createUpdate(NOTE)
+            noted
                 .bind("student", student)
                 .bind("kind", kind)
                 .bind("value", value)
-                .execute()
+                .add()
         }
     }
 
-    private fun shownName(
-        name: Name,
-        number: Int,
-    ): String {
-        val taken =
+    fun write() {
+        if (added.size() > 0) {
             handle
-                .createQuery(
-                    """SELECT count(*) FROM students
-                       WHERE course_id = :course AND shown_name = :name AND number <> :number""",
-                ).bind("course", course)
-                .bind("name", name.text)
-                .bind("number", number)
-                .mapTo(Int::class.javaObjectType)
-                .one() > 0
-        return shown(name, number, taken)
+                .createUpdate("UPDATE courses SET last_number = :last WHERE id = :course")
+                .bind("last", before + added.size())
+                .bind("course", course)
+                .execute()
+        }
+        listOf(renamed, added, noted).filter { it.size() > 0 }.forEach { it.execute() }
     }
 
-    companion object {
+    private fun lastNumber(): Int =
+        handle
+            .createQuery("SELECT last_number FROM courses WHERE id = :course")
+            .bind("course", course)
+            .mapTo(Int::class.javaObjectType)
+            .one()
+
+    private fun shownBefore(): Map<Int, String> =
+        handle
+            .createQuery("SELECT number, shown_name FROM students WHERE course_id = :course")
+            .bind("course", course)
+            .map { row, _ -> row.getInt("number") to row.getString("shown_name") }
+            .list()
+            .toMap()
+
+    private companion object {
         const val ADD =
             """INSERT INTO students (id, course_id, number, name, shown_name, token_hash, joined_at)
                VALUES (:id, :course, :number, :name, :shown, :hash, :now)"""
@@ -90,16 +100,5 @@ internal class StudentRows(
         const val NOTE =
             """INSERT INTO roster_fields (student_id, kind, value) VALUES (:student, :kind, :value)
                ON CONFLICT (student_id, kind) DO UPDATE SET value = excluded.value"""
-
-        /**
-         * No two are shown under one name, and a name that ends like one with a number is not mistaken for one.
-         *
-         * @param taken whether another student of the course is shown as [name]
-         */
-        fun shown(
-            name: Name,
-            number: Int,
-            taken: Boolean,
-        ): String = if (taken || name.text.endsWith(")")) "${name.text} ($number)" else name.text
     }
 }

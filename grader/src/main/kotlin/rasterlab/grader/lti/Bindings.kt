@@ -161,7 +161,10 @@ class Bindings(
         remember(handle, launch, course, known.student)
         val name = nameIn(launch.name)
         if (known.toldName == null || name == null || name.text == known.name) return
-        StudentRows(handle, course.id, clock.instant()).rename(known.student, known.number, name)
+        StudentRows(handle, course.id, clock.instant()).run {
+            rename(known.student, known.number, name)
+            write()
+        }
         AuditNote(launch.platform, course.id, "lti-name", known.student, detail = "").write(handle, clock.instant())
     }
 
@@ -280,6 +283,7 @@ class Bindings(
         val rows = StudentRows(handle, course.id, clock.instant())
         return rows.add(nameOf(launch.name, "Student"), Secrets.newToken()).also { id ->
             if (number != null) rows.note(id, mapOf("id-number" to number))
+            rows.write()
         }
     }
 

@@ -258,13 +258,16 @@ class StudentRecords(
                JOIN lti_platforms ON lti_platforms.id = platform_id
                WHERE student_id = :student ORDER BY s.exercise, s.link_id"""
 
-        /** The requests that made the student, or rosters with them; their submissions, what was said about these, and their hints. */
+        /**
+         * The requests that made the student, or rosters with them; their submissions, what was said about these, and
+         * their hints. Rosters are kept as JSON, in which ids stand in quotes; `LIKE` would take their `_` for anything.
+         */
         const val MADE =
             """made = :student OR made IN ($THEIRS) OR owner = 'hints ' || :student
                OR made IN (SELECT id FROM comments WHERE submission_id IN ($THEIRS))
                OR made IN (SELECT id FROM complaints WHERE submission_id IN ($THEIRS))
                OR made IN (SELECT id FROM trials WHERE submission_id IN ($THEIRS))
-               OR (owner LIKE 'roster %' AND made LIKE '%' || :student || '%')"""
+               OR (owner LIKE 'roster %' AND made <> replace(made, '"' || :student || '"', ''))"""
 
         /** The tables of what a student did at exams. */
         val EXAMS = listOf("exam_events", "exam_drafts", "exam_sittings")

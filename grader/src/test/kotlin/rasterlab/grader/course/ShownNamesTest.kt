@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.postgres.TestDatabases
+import rasterlab.grader.student.StudentRecords
 import java.nio.file.Path
 import java.time.InstantSource
 
@@ -14,6 +15,28 @@ import java.time.InstantSource
 class ShownNamesTest {
     @TempDir
     lateinit var folder: Path
+
+    @Test
+    @DisplayName("a newcomer, or a roster's, gets the number of somebody who was deleted")
+    fun noNumberIsGivenTwice() =
+        TestDatabases.open(folder).use { database ->
+            val clock = InstantSource.system()
+            val courses = Courses(database, clock)
+            val course = courses.create(by = "i", Name.of("Graphics"), key = null)
+            val join = { name: String -> courses.join(course.code, Name.of(name), key = null) }
+            val delete = { student: String -> StudentRecords(database, clock).delete(student, by = "i") }
+            join("Ada")
+            delete(join("Eve").id)
+            delete(join("Eve").id)
+            val roster = "Name\nAda\nGrace\nAda King\n".toByteArray()
+            val rows = RosterImport(database, clock).apply(course, roster, dry = false, by = "i", key = null)
+            delete(checkNotNull(rows.added.last().student))
+            join("Alan")
+            assertEquals(
+                listOf("1 Ada", "4 Grace", "6 Alan"),
+                courses.students(course.id)?.map { "${it.number} ${it.name}" }?.sorted(),
+            )
+        }
 
     @Test
     @DisplayName("two students of a course are shown under one name, or numbers go on from another course")

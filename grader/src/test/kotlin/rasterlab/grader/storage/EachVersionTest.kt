@@ -49,7 +49,7 @@ class EachVersionTest {
 
     @Test
     @DisplayName(
-        "a line that was commented has no last line, or one that was queued does not begin its student's turns",
+        "a line that was commented has no last line, one that was queued begins no turns, or a number is given twice",
     )
     fun fillsWhatIsNew() =
         onBoth { source ->
@@ -57,6 +57,7 @@ class EachVersionTest {
             Tables(source).migrate()
             assertEquals(listOf("3 3"), source.query("SELECT line, last_line FROM comments"))
             assertEquals(listOf("s 1", "t 0", "u 1"), source.query("SELECT id, begins_turns FROM submissions"))
+            assertEquals(listOf("c 2"), source.query("SELECT id, last_number FROM courses"))
         }
 
     @ParameterizedTest(name = "a server that opens a course of version {0} reads other points or another report")

@@ -119,3 +119,6 @@ INSERT INTO regrades (id, course_id, exercise, revision, choice, is_dry, state, 
 VALUES ('f', 'c', 'draw-dot', 'r1', 'some', 0, 'grading', 'i', '2026-03-10T08:00:00.000Z', 'steep', 1);
 -- since 32
 INSERT INTO course_limits (course_id, per_minute, waiting) VALUES ('c', 3, NULL);
+-- since 33
+INSERT INTO courses (id, name, code, created_at, last_number)
+VALUES ('n', 'Geometry', 'NEXT', '2026-03-10T08:00:00.000Z', 30);
