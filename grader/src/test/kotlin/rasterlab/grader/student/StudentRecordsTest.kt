@@ -97,6 +97,26 @@ class StudentRecordsTest {
         }
 
     @Test
+    @DisplayName("a roster about another student, whose id is nearly the same, is forgotten along")
+    fun keepsTheRostersOfOthers() =
+        Classroom(folder).open(grades = false) {
+            newStudent(newCourse())
+            database.write { handle ->
+                handle.execute("UPDATE students SET id = 'a_b'")
+                for (id in listOf("a_b", "a-b", "a_bc")) {
+                    handle.execute(
+                        "INSERT INTO idempotency_keys VALUES ('roster c i', ?, '', ?, '')",
+                        id,
+                        """{"added":{"2":"$id"}}""",
+                    )
+                }
+            }
+            assertEquals(200, client.delete("/api/v1/students/a_b") { bearer(instructor) }.status.value)
+            assertEquals("2", one("SELECT count(*) FROM idempotency_keys WHERE owner = 'roster c i'"))
+            assertEquals("a-b", one("SELECT min(key_hash) FROM idempotency_keys WHERE owner = 'roster c i'"))
+        }
+
+    @Test
     @DisplayName("the page deletes unasked, gives no data, or is a student's")
     fun thePageAsksBeforeItDeletes() =
         Classroom(folder).open {
