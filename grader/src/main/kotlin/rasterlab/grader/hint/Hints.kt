@@ -77,7 +77,8 @@ class Hints(
         exercise: String,
     ): List<HintUse> =
         uses(
-            "WHERE students.course_id = :course AND hints.exercise = :exercise ORDER BY taken_at, step",
+            """WHERE students.course_id = :course AND hints.exercise = :exercise
+               ORDER BY taken_at, step, hints.student_id""",
             mapOf("course" to course, "exercise" to exercise),
         )
 

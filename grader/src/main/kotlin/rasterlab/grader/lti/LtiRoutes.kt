@@ -93,8 +93,10 @@ fun Route.lti(
     }
     get("/courses/{course}/lti/scores") {
         call.staff()
-        val all = states.of(call.course(courses).id, most = Paging.WHOLE)
-        call.respondPart(call.paging(ScoreStates.MOST).of(all) { it.id }.map(::answer))
+        val course = call.course(courses).id
+        val paging = call.paging(Paging.WHOLE)
+        val all = if (paging.isPart) states.byStudent(course) else states.of(course, most = Paging.WHOLE)
+        call.respondPart(paging.of(all) { it.id }.map(::answer))
     }
     post("/courses/{course}/lti/scores/send") {
         val instructor = call.instructor()

@@ -1,6 +1,7 @@
 package rasterlab.grader.lti
 
 import rasterlab.grader.course.AuditNote
+import rasterlab.grader.problem.Paging
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.text
 import java.sql.ResultSet
@@ -53,6 +54,15 @@ class ScoreStates(
     fun of(
         course: String,
         most: Int = MOST,
+    ): List<ScoreState> = read(course, "CASE WHEN s.due_at IS NULL THEN 1 ELSE 0 END, $BY_STUDENT", most)
+
+    /** Reads those of a course in an order that stays while they are sent, so that parts of it fit together. */
+    fun byStudent(course: String): List<ScoreState> = read(course, BY_STUDENT, Paging.WHOLE)
+
+    private fun read(
+        course: String,
+        order: String,
+        most: Int,
     ): List<ScoreState> =
         database.read { handle ->
             handle
@@ -63,7 +73,7 @@ class ScoreStates(
                        JOIN lti_links ON lti_links.id = s.link_id
                        JOIN lti_platforms ON lti_platforms.id = lti_links.platform_id
                        WHERE students.course_id = :course
-                       ORDER BY CASE WHEN s.due_at IS NULL THEN 1 ELSE 0 END, students.number, s.exercise, s.link_id
+                       ORDER BY $order
                        LIMIT :most""",
                 ).bind("course", course)
                 .bind("most", most)
@@ -113,5 +123,7 @@ class ScoreStates(
     companion object {
         /** The most that are read where nobody asks for more. */
         const val MOST = 2000
+
+        private const val BY_STUDENT = "students.number, s.exercise, s.link_id"
     }
 }

@@ -29,6 +29,9 @@ class Paging(
     val after: String?,
     val limit: Int = USUAL,
 ) {
+    /** Whether the request asks for a part, and not for the whole list. */
+    val isPart: Boolean get() = after != null || limit != WHOLE
+
     /** How many to read from where the list is stored: one more tells whether the list goes on. */
     val reach: Int = limit + 1
 
