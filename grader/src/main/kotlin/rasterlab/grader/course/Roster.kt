@@ -24,7 +24,7 @@ internal data class RosterTable(
 
 /** Reads rosters: exports of Moodle and Canvas as they are, and tables with a heading for the name. */
 internal object Roster {
-    private const val MOST_ROWS = 5_000
+    private const val MOST_STUDENTS = 5_000
 
     /** A row of Canvas' export that is no student. */
     private val NOBODY = setOf("points possible", "student, test", "test student", "")
@@ -33,7 +33,6 @@ internal object Roster {
     fun read(bytes: ByteArray): RosterTable {
         val table = RosterText.rows(bytes)
         if (table.isEmpty()) throw Rejection.BadRoster("empty")
-        if (table.size > MOST_ROWS) throw Rejection.BadRoster("long", MOST_ROWS)
         val columns = table.first().value.map(RosterColumn::headed)
         if (columns.none { it in NAMING }) throw Rejection.BadRoster("headings", table.first().value.joinToString())
         columns.filterNotNull().groupBy { it }.values.firstOrNull { it.size > 1 }?.let {
@@ -41,6 +40,7 @@ internal object Roster {
         }
         val rows = table.drop(1).mapNotNull { (index, cells) -> row(index + 1, columns, cells) }
         if (rows.isEmpty()) throw Rejection.BadRoster("empty")
+        if (rows.size > MOST_STUDENTS) throw Rejection.BadRoster("long", MOST_STUDENTS)
         requireOwnKeys(rows)
         return RosterTable(rows, unused(columns, table.map { it.value }))
     }

@@ -42,6 +42,14 @@ class RosterTest {
     }
 
     @Test
+    @DisplayName("a roster of 5,000 students is refused, or one more is taken")
+    fun takesFiveThousandStudents() {
+        val roster = { students: Int -> "Name\n" + (1..students).joinToString("") { "Student $it\n" } }
+        assertEquals(5_000, Roster.read(roster(5_000).toByteArray()).rows.size)
+        assertThrows(Rejection.BadRoster::class.java) { Roster.read(roster(5_001).toByteArray()) }
+    }
+
+    @Test
     @DisplayName("Moodle's export is not read, or its marks are taken for something of the students")
     fun readsMoodlesExport() {
         val rows =
