@@ -8,6 +8,10 @@ import io.ktor.client.request.setBody
 import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.async
+import kotlinx.coroutines.awaitAll
+import kotlinx.coroutines.withContext
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
@@ -18,6 +22,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
+import rasterlab.grader.Wire
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.field
@@ -62,6 +67,32 @@ class RepeatedRequestsTest {
             client.delete("/api/v1/students/$gone") { bearer(instructor) }
             assertEquals("0", one("SELECT count(*) FROM idempotency_keys WHERE owner LIKE 'roster %'"))
         }
+
+    @Test
+    @DisplayName("a key without a character is taken for none")
+    fun anEmptyKeyIsRefused() =
+        Classroom(folder).listen {
+            val course = """{"name":"Graphics"}""".toByteArray()
+            val headers = arrayOf(Wire.JSON, "Idempotency-Key: ")
+            assertEquals(422, course(course, *headers).statusCode())
+            assertEquals(201, course(course, headers.first()).statusCode())
+        }
+
+    @Test
+    @DisplayName("requests of one key that come at once make something twice, or one of them fails")
+    fun whatComesAtOnceIsDoneOnce() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            val exams = atOnce { send("/api/v1/courses/$course/exams", EXAM) }
+            assertEquals(List(SENDERS) { 201 }, exams.map { it.status.value })
+            assertEquals(1, exams.map { it.bodyAsText() }.distinct().size)
+            val rosters = atOnce { roster("/api/v1/courses/$course/roster", "Name\nAda\nEve\n") }
+            assertEquals(1, rosters.map { it.bodyAsText() }.distinct().size)
+            assertEquals("1 2", one("SELECT (SELECT count(*) FROM exams) || ' ' || count(*) FROM students"))
+        }
+
+    private suspend fun atOnce(request: suspend () -> HttpResponse): List<HttpResponse> =
+        withContext(Dispatchers.IO) { List(SENDERS) { async { request() } }.awaitAll() }
 
     @Test
     @DisplayName("an exam, a platform or a key is made twice, or answered otherwise when it is asked for again")
@@ -157,6 +188,7 @@ class RepeatedRequestsTest {
         }
 
     private companion object {
+        const val SENDERS = 2
         val MADE = setOf("201", "202")
 
         /** The calls that leave the same behind when they are done twice, or are refused the second time. */
