@@ -218,7 +218,7 @@ class Courses(
             condition: String = "",
             vararg values: Pair<String, String>,
         ): List<Enrolled> {
-            val fields = rosterFields(handle, course)
+            val fields = rosterFields(handle, course, condition, values.toMap())
             return handle
                 .createQuery(
                     """SELECT id, number, name, shown_name, joined_at FROM students
@@ -237,16 +237,19 @@ class Courses(
                 }.list()
         }
 
-        /** Reads what rosters said of each student of a course, by the student's id. */
+        /** Reads what rosters said of these students of a course, by the student's id. */
         private fun rosterFields(
             handle: Handle,
             course: String,
+            condition: String,
+            values: Map<String, String>,
         ): Map<String, Map<String, String>> =
             handle
                 .createQuery(
                     """SELECT student_id, kind, value FROM roster_fields JOIN students ON students.id = student_id
-                       WHERE course_id = :course""",
+                       WHERE course_id = :course $condition""",
                 ).bind("course", course)
+                .bindMap(values)
                 .map { row, _ -> Triple(row.getString("student_id"), row.getString("kind"), row.getString("value")) }
                 .list()
                 .groupBy({ it.first }, { it.second to it.third })
