@@ -16,6 +16,7 @@ import rasterlab.grader.course.RosterImport
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.Database
+import rasterlab.grader.wording.Wording
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -167,11 +168,16 @@ internal class CourseRosterCommand(
         }
 
     private fun print(change: RosterChange) {
+        val pages = Wording("rasterlab.grader.web.texts", words.language)
         val out = spec.commandLine().out
         change.added.forEach { out.println(words.say("roster.added", it.name, it.token.orEmpty()).trim()) }
         change.corrected.forEach { one ->
-            out.println(words.say("roster.corrected", one.from, one.to))
-            one.changes.forEach { out.println("  " + words.say("roster.change", it.field, it.from ?: "-", it.to)) }
+            val key = if (one.from == one.to) "roster.noted" else "roster.corrected"
+            out.println(words.say(key, one.from, one.to))
+            one.changes.forEach {
+                val field = pages.say("roster.field.${it.field}")
+                out.println("  " + words.say("roster.change", field, it.from ?: "-", it.to))
+            }
         }
         change.missing.forEach { out.println(words.say("roster.missing", it.shownName)) }
         if (change.unused.isNotEmpty()) out.println(words.say("roster.unused", change.unused.joinToString()))

@@ -15,11 +15,14 @@ import rasterlab.grader.storage.CannotStart.StartFailure
 import rasterlab.grader.storage.makeOwnerOnly
 import rasterlab.grader.submission.Marks
 import java.io.IOException
+import java.nio.file.AccessDeniedException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.InstantSource
 import java.util.concurrent.Callable
+import kotlin.io.path.absolute
 import kotlin.io.path.exists
+import kotlin.io.path.isDirectory
 
 /** The file that something is written to. */
 internal class OutputOptions {
@@ -31,9 +34,12 @@ internal class OutputOptions {
     )
     var to: Path? = null
 
-    /** @throws CannotStart where the file is there */
+    /** @throws CannotStart where the file is there, or its folder is not */
     fun requireNew() {
-        to?.takeIf { it.exists() }?.let { throw CannotStart(StartFailure.EXPORT_THERE, it) }
+        val file = to ?: return
+        if (file.exists()) throw CannotStart(StartFailure.EXPORT_THERE, file)
+        val folder = file.absolute().normalize().parent
+        if (!folder.isDirectory()) throw CannotStart(StartFailure.EXPORT_FOLDER, file, folder)
     }
 
     /** Writes to the file, which nobody but its owner reads, or to standard output. */
@@ -51,8 +57,10 @@ internal class OutputOptions {
         try {
             makeOwnerOnly(file)
             Files.write(file, bytes)
+        } catch (denied: AccessDeniedException) {
+            throw CannotStart(StartFailure.EXPORT_DENIED, file, cause = denied)
         } catch (failure: IOException) {
-            throw CannotStart(StartFailure.EXPORT_FAILED, file, failure.reason(), cause = failure)
+            throw CannotStart(StartFailure.EXPORT_FAILED, file, failure.message.orEmpty(), cause = failure)
         }
     }
 }

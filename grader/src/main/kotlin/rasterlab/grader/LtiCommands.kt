@@ -187,8 +187,8 @@ private class LtiRemoveCommand : Callable<Int> {
     name = "key",
     mixinStandardHelpOptions = true,
     description = [
-        "Prints the ids of this server's keys as platforms read them: the one that signs, and each one before",
-        "with the moment until which it is read.",
+        "Prints the ids of this server's keys as platforms read them.",
+        "The first signs; each one before has the moment until which it is read.",
     ],
 )
 private class LtiKeyCommand : Callable<Int> {

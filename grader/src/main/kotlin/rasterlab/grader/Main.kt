@@ -53,7 +53,14 @@ private class GraderProgram(
     override fun run(): Unit = throw CommandLine.ParameterException(spec.commandLine(), words.say("command"))
 }
 
-internal enum class Tongue { EN, RU }
+internal enum class Tongue {
+    EN,
+    RU,
+    ;
+
+    /** Lower-case, as it is typed. */
+    override fun toString() = name.lowercase()
+}
 
 private class GraderVersion : CommandLine.IVersionProvider {
     override fun getVersion() = arrayOf("Rasterlab ${ProductVersion.text()}")

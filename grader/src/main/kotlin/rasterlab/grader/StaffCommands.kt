@@ -62,8 +62,8 @@ private fun CommandSpec.print(made: NewToken) = commandLine().out.println("staff
     name = "list",
     mixinStandardHelpOptions = true,
     description = [
-        "Prints id, role, when last here, whether access was taken away, the code of the single course or all, and name,",
-        "a line for each.",
+        "Prints those who teach and grade, a line for each.",
+        "It has id, role, when last here, whether access was taken away, the code of the single course or all, and name.",
     ],
 )
 internal class StaffListCommand : Callable<Int> {

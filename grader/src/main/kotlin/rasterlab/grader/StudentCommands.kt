@@ -73,8 +73,8 @@ internal class JsonOptions {
     name = "list",
     mixinStandardHelpOptions = true,
     description = [
-        "Prints id, number, ID number, e-mail address and name of each student of a course, a line for each;",
-        "'-' stands for what no roster said.",
+        "Prints the students of a course, a line for each.",
+        "It has id, number, ID number, e-mail address and name; '-' stands for what no roster said.",
     ],
 )
 private class StudentListCommand : Callable<Int> {
@@ -142,14 +142,21 @@ private class StudentShowCommand : Callable<Int> {
 }
 
 /** The ways to write out what is kept about a student. */
-internal enum class StudentForm { JSON, ZIP }
+internal enum class StudentForm {
+    JSON,
+    ZIP,
+    ;
+
+    /** Lower-case, as it is typed. */
+    override fun toString() = name.lowercase()
+}
 
 @Command(
     name = "export",
     mixinStandardHelpOptions = true,
     description = [
-        "Writes all that is kept about a student: a JSON document,",
-        "or a ZIP file with it and each source as a file of its own. The server's record of changes notes it.",
+        "Writes all that is kept about a student, as a JSON document or a ZIP file.",
+        "The ZIP file also has each source as a file of its own. The server's record of changes notes the export.",
     ],
 )
 private class StudentExportCommand(

@@ -19,6 +19,8 @@ enum class StaffRole(
     ASSISTANT("assistant"),
     ;
 
+    override fun toString() = code
+
     companion object {
         /** @throws Rejection.Malformed with the roles there are */
         fun of(code: String): StaffRole =

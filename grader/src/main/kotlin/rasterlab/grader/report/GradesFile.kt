@@ -15,6 +15,8 @@ enum class GradesReader {
 
     /** Lower-case, as in the HTTP API. */
     val code get() = name.lowercase()
+
+    override fun toString() = code
 }
 
 /** A student's line of a file of marks. */

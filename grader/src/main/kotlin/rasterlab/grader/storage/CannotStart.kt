@@ -59,6 +59,8 @@ class CannotStart(
         NO_EXERCISE("no.exercise"),
         ROSTER_FILE("roster.file"),
         EXPORT_THERE("export.there"),
+        EXPORT_FOLDER("export.folder"),
+        EXPORT_DENIED("export.denied"),
         EXPORT_FAILED("export.failed"),
         PROXY("proxy"),
         TLS_PAIR("tls.pair"),

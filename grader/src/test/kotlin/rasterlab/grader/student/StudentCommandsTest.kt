@@ -13,11 +13,14 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import picocli.CommandLine
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.grader.Classroom
+import rasterlab.grader.CommandWords
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer
+import rasterlab.grader.commandLine
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
@@ -87,7 +90,10 @@ class StudentCommandsTest {
             val absent = folder.resolve("none.json")
             student("export", "none", "--to", "$absent", exit = 2)
             assertFalse(absent.exists(), "a file is left behind")
-            assertTrue("written" in student("export", id, "--to", "${folder.resolve("none/a")}", exit = 2))
+            val nowhere = folder.resolve("none/a")
+            val refused = student("export", id, "--to", "$nowhere", exit = 2)
+            assertTrue("no folder ${nowhere.parent}" in refused && "Exception" !in refused, refused)
+            assertEquals("3", one("SELECT count(*) FROM audit WHERE action = 'export' AND subject = '$id'"))
         }
 
     @Test
@@ -130,6 +136,48 @@ class StudentCommandsTest {
             assertEquals("mine", file.readText())
             assertTrue("none" in marks("none", exit = 2))
             assertTrue("people, moodle, canvas" in marks(course, "--for", "excel", exit = 2))
+        }
+
+    @Test
+    @DisplayName("a list of commands breaks off in a sentence, or a default is told in other letters than it is typed")
+    fun helpIsWholeAndAsTyped() {
+        for (language in listOf("en", "ru")) {
+            for (command in below(commandLine(CommandWords.asked("--lang", language))).map { it.commandSpec }) {
+                val first =
+                    command
+                        .usageMessage()
+                        .description()
+                        .firstOrNull()
+                        .orEmpty()
+                assertTrue(first.endsWith("."), "$language ${command.qualifiedName()}: $first")
+                val defaults = command.options().filter { it.type().isEnum }.mapNotNull { it.defaultValueString() }
+                assertEquals(defaults.map { it.lowercase() }, defaults, command.qualifiedName())
+            }
+        }
+    }
+
+    private fun below(command: CommandLine): List<CommandLine> =
+        listOf(command) + command.subcommands.values.flatMap(::below)
+
+    @Test
+    @DisplayName("a correction tells a name that stays as a change, or a field by a name that only programs use")
+    fun aRosterIsToldInWords() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            rostered(course)
+            val file = folder.resolve("roster.csv")
+            file.writeText("Name,ID number,Email,Section,Login\nAda King,17,ada@example.org,B,\nEve,,,A,eve\n")
+            val told =
+                listOf("en", "ru").map { language ->
+                    val roster = arrayOf("course", "roster", course, "$file", "--dry-run", "--lang", language)
+                    printedBy(folder, *roster).trim().lines().filter { "->" in it || "Eve" in it }
+                }
+            val changes = listOf("  section: - -> B", "corrected: Eve", "  section: - -> A", "  username: - -> eve")
+            assertEquals(listOf("corrected: Ada -> Ada King") + changes, told[0])
+            assertEquals(
+                listOf("исправлено: Eve", "  группа: - -> A", "  логин: - -> eve"),
+                told[1].drop(2),
+            )
         }
 
     /** The id of the first of two students whom a roster brings. */
