@@ -11,6 +11,7 @@ import rasterlab.grader.course.staff
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.typed
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Submissions
 
@@ -47,7 +48,7 @@ fun Route.adjustments(
         val staff = call.staff()
         val id = submissions.seenBy(staff, call.parameters.getOrFail("id")).id
         val (points, reason) =
-            call.receiveJson("points", "reason") { it.tree("points").asText("") to it.anyText("reason") }
+            call.receiveJson("points", "reason") { typed("points", it.tree("points")) to it.anyText("reason") }
         adjustments.give(id, points, reason, staff.id, call.idempotencyKey())
         call.respondAdjusted(submissions, adjustments)
     }

@@ -29,6 +29,7 @@ import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.problem.respondPart
+import rasterlab.grader.problem.typed
 import rasterlab.grader.rules.named
 import rasterlab.grader.storage.text
 import java.time.Instant
@@ -133,7 +134,7 @@ fun Route.exams(
     patch("/exams/{exam}/students/{student}") {
         val instructor = call.instructor()
         val exam = exams.find(call.examId())
-        val minutes = call.receiveJson("extra") { it.tree("extra").asText("") }
+        val minutes = call.receiveJson("extra") { typed("extra", it.tree("extra")) }
         exams.give(exam, call.studentId(), minutes, instructor.id)
         call.respondSeat(exams, exam, sittings.now())
     }
@@ -157,10 +158,7 @@ private val CODES = ExamField.entries.map { it.code }.toTypedArray() + EXERCISES
 
 /** The fields as texts; a number may stand for what is one. */
 private fun told(body: JsonFields): Map<ExamField, String> =
-    ExamField.entries.filter { body.tree().has(it.code) }.associateWith { field ->
-        val node = body.tree().get(field.code)
-        node.asText(node.toString())
-    }
+    ExamField.entries.filter { body.tree().has(it.code) }.associateWith { typed(it.code, body.tree().get(it.code)) }
 
 private fun ApplicationCall.examId() = parameters.getOrFail("exam")
 

@@ -84,14 +84,14 @@ class Regrades(
         key: String?,
         case: Exercise.Case? = null,
     ): Regrade {
-        val only = case?.name().orEmpty()
-        val asked = "${course.id} ${exercise.id()} ${choice.code} $dry ${some.sorted()} $only".trimEnd()
+        val only = case?.let { " ${it.name()}" }.orEmpty()
+        val asked = "${course.id} ${exercise.id()} ${choice.code} $dry ${some.sorted()}$only"
         val request = Repeatable("regrade $by", key, asked)
         return database.write { handle ->
             val made =
                 request.made(handle) ?: run {
                     val chosen = choice.of(Gradable.all(handle, course, exercise.id()), some)
-                    requireFree(handle, chosen)
+                    requireFree(handle, chosen, case != null)
                     insert(handle, course, exercise, choice, case, dry, by).also { id ->
                         chosen.forEachIndexed { index, one -> insert(handle, id, one, index + 1) }
                         note(handle, course.id, by, "regrade", id, "${exercise.id()} ${choice.code} ${chosen.size}")
@@ -199,14 +199,22 @@ class Regrades(
         }
     }
 
+    /**
+     * Sees that no submission is graded again twice at once, where one would take back what the other gives: results of
+     * single cases are put into whatever counts when they come.
+     */
     private fun requireFree(
         handle: Handle,
         chosen: List<Gradable>,
+        isOfOneCase: Boolean,
     ) {
+        val others = if (isOfOneCase) "AND case_name IS NULL" else ""
         val held =
             handle
-                .createQuery("SELECT submission_id FROM regrade_items WHERE state <> 'done'")
-                .mapTo(String::class.java)
+                .createQuery(
+                    """SELECT submission_id FROM regrade_items JOIN regrades ON regrades.id = regrade_id
+                       WHERE regrade_items.state <> 'done' $others""",
+                ).mapTo(String::class.java)
                 .set()
         val twice = chosen.count { it.submission in held }
         if (twice > 0) throw Rejection.RegradeStands("running", twice)

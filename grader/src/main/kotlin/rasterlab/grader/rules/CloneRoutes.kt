@@ -11,6 +11,7 @@ import rasterlab.grader.course.instructor
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.typed
 
 @Serializable
 private data class ClonedAnswer(
@@ -26,7 +27,8 @@ fun Route.clones(
     val instructor = call.instructor()
     val (name, days) =
         call.receiveJson("name", "days") {
-            it.anyText("name") to (it.tree().get("days")?.asText() ?: "${CourseClones.YEAR_OF_WEEKS}")
+            it.anyText("name") to
+                (it.tree().get("days")?.let { days -> typed("days", days) } ?: "${CourseClones.YEAR_OF_WEEKS}")
         }
     val made = clones.clone(call.course(courses), Name.of(name), days, instructor.id, call.idempotencyKey())
     call.respondJson(ClonedAnswer(made.id, made.code), Created)

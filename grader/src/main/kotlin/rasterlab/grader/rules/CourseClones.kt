@@ -38,7 +38,7 @@ class CourseClones(
     ): Course {
         val shift =
             days.trim().toIntOrNull()?.takeIf { it in ALLOWED }
-                ?: throw Rejection.BadRule("number", "days", days, ALLOWED.first, ALLOWED.last)
+                ?: throw Rejection.BadRule("days", "days", days, ALLOWED.first, ALLOWED.last)
         val request = Repeatable("clone $by", key, "${from.id} ${name.text} $shift")
         return database.write { handle ->
             request.made(handle)?.let { Courses.course(handle, "id", it) } ?: run {

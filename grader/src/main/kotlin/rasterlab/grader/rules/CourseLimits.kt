@@ -77,7 +77,7 @@ class CourseLimits(
         if (text.isBlank()) return null
         val allowed = 1..(if (field == LimitField.WAITING) most.waiting else most.perMinute)
         return text.trim().toIntOrNull()?.takeIf { it in allowed }
-            ?: throw Rejection.BadRule("number", field.code, text, allowed.first, allowed.last)
+            ?: throw Rejection.BadRule("limit", field.code, text, allowed.first, allowed.last)
     }
 
     companion object {

@@ -10,6 +10,7 @@ import rasterlab.grader.course.instructor
 import rasterlab.grader.course.staff
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.typed
 
 /** Tells what holds for each student of the course, and the most that the server allows. */
 @Serializable
@@ -33,10 +34,9 @@ fun Route.courseLimits(
         val instructor = call.instructor()
         val told =
             call.receiveJson(*LimitField.entries.map { it.code }.toTypedArray()) { body ->
-                LimitField.entries.filter { body.tree().has(it.code) }.associateWith { field ->
-                    val node = body.tree().get(field.code)
-                    if (node.isNull) "" else node.asText(node.toString())
-                }
+                LimitField.entries
+                    .filter { body.tree().has(it.code) }
+                    .associateWith { typed(it.code, body.tree().get(it.code)) }
             }
         call.respondJson(told(limits, limits.change(call.course(courses), told, instructor.id)))
     }

@@ -17,6 +17,7 @@ import rasterlab.grader.problem.linkNext
 import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.problem.typed
 import rasterlab.grader.storage.text
 import java.util.Locale
 
@@ -118,10 +119,7 @@ private val CODES = RuleField.entries.map { it.code }.toTypedArray()
 
 /** The fields as texts; a number or null may stand for what is one. */
 private fun told(body: JsonFields): Map<RuleField, String> =
-    RuleField.entries.filter { body.tree().has(it.code) }.associateWith { field ->
-        val node = body.tree().get(field.code)
-        if (node.isNull) "" else node.asText(node.toString())
-    }
+    RuleField.entries.filter { body.tree().has(it.code) }.associateWith { typed(it.code, body.tree().get(it.code)) }
 
 private fun answer(
     exercise: String,

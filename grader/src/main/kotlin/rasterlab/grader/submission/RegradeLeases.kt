@@ -72,8 +72,9 @@ class RegradeLeases(
             val held = held(handle, lease) ?: return@write false
             val now = clock.instant()
             val submission = lease.submission.id
-            val counts = held.case?.let { only(it, report, reports.of(handle, submission)) } ?: report
-            val result = reports.insert(handle, submission, revision, counts, now, current = false)
+            val graded = Recorded(report, revision, now)
+            val counts = held.case?.let { only(it, graded, reports.of(handle, submission)) } ?: graded
+            val result = reports.insert(handle, submission, counts.revision, counts.report, now, current = false)
             handle
                 .createUpdate(
                     """UPDATE regrade_items SET state = 'done', lease = NULL, lease_until = NULL, result_id = :result
@@ -102,16 +103,19 @@ class RegradeLeases(
             }.findOne()
             .getOrNull()
 
-    /** The [former] report with [case] as [again] has it, and as it was where that says nothing of the case. */
+    /**
+     * The [former] report with [case] as [again] has it, and as it was where that says nothing of the case. It stays one of
+     * the revision that judged all its other cases.
+     */
     private fun only(
         case: OneCase,
-        again: Report,
-        former: Report?,
-    ): Report? {
-        if (again.verdict() == GradingVerdict.INTERNAL) return null
-        val judged = again.cases().find { it.name() == case.name }
-        val isThere = former?.cases().orEmpty().any { it.name() == case.name }
-        return if (judged != null && isThere) former?.withCase(judged, case.stability) else former
+        again: Recorded,
+        former: Recorded?,
+    ): Recorded? {
+        if (again.report.verdict() == GradingVerdict.INTERNAL || former == null) return null
+        val judged = again.report.cases().find { it.name() == case.name } ?: return former
+        val isThere = former.report.cases().any { it.name() == case.name }
+        return if (isThere) former.copy(report = former.report.withCase(judged, case.stability)) else former
     }
 
     /** Puts back what nobody grades any more, and ends what has nothing left to grade, as where a student was deleted. */

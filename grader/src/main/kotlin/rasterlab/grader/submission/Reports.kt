@@ -44,7 +44,7 @@ class Reports(
     fun of(
         handle: Handle,
         submission: String,
-    ): Report? = recorded(handle, "submission_id = :id AND is_current = 1", submission)?.report
+    ): Recorded? = recorded(handle, "submission_id = :id AND is_current = 1", submission)
 
     private fun recorded(
         condition: String,

@@ -152,7 +152,7 @@ private class RegradeDesk(
             refused?.let { problem(texts, it.status, it.code, it.details) }
             p { a(rulesAddress(course, exercise)) { +texts.say("regrade.rules") } }
             if (graded.isEmpty()) p { +texts.say("regrade.none") } else regradeForm(texts, address, graded, typed)
-            if (before.isNotEmpty()) regradeTable(texts, before)
+            if (before.isNotEmpty()) regradeTable(texts, before, exercise)
         }
     }
 }

@@ -90,6 +90,7 @@ private fun FORM.submissionChoice(
 internal fun FlowContent.regradeTable(
     texts: PageTexts,
     regrades: List<Regrade>,
+    exercise: Exercise?,
 ) {
     h2 { +texts.say("regrade.earlier") }
     scrolling(texts.say("regrade.earlier")) {
@@ -100,10 +101,7 @@ internal fun FlowContent.regradeTable(
                     tr {
                         td { a(regradeAddress(one)) { +texts.time(one.begunAt) } }
                         td {
-                            +(
-                                one.case?.let { texts.say("regrade.case", it) }
-                                    ?: texts.say("regrade.of.${one.choice.code}")
-                            )
+                            +texts.chosen(one, exercise)
                         }
                         td { +texts.say("regrade.state.${one.state.code}") }
                         td("number") { +texts.say("regrade.progress", one.done, one.total) }
@@ -129,6 +127,15 @@ private fun kotlinx.html.TABLE.heading(
 
 private val NUMBERS = setOf("graded", "before", "after")
 
+/** Says which submissions were chosen, or which case alone. */
+private fun PageTexts.chosen(
+    regrade: Regrade,
+    exercise: Exercise?,
+): String {
+    val case = regrade.case ?: return say("regrade.of.${regrade.choice.code}")
+    return say("regrade.only", exercise?.caseTitle(case, language) ?: case)
+}
+
 /** How far a regrade has come, what it changes, and what may be decided. */
 internal fun DIV.regrade(
     texts: PageTexts,
@@ -138,10 +145,15 @@ internal fun DIV.regrade(
 ) {
     section("card") {
         p("total") { +texts.say("regrade.state.${regrade.state.code}") }
-        val choice =
-            regrade.case?.let { texts.say("regrade.case", exercise?.caseTitle(it, texts.language) ?: it) }
-                ?: texts.say("regrade.of.${regrade.choice.code}")
-        p { +texts.say("regrade.stand", choice, regrade.revision, regrade.done, regrade.total) }
+        p {
+            +texts.say(
+                "regrade.stand",
+                texts.chosen(regrade, exercise),
+                regrade.revision,
+                regrade.done,
+                regrade.total,
+            )
+        }
         if (regrade.failed > 0) p { +texts.say("regrade.failed", regrade.failed) }
         p { +texts.say(if (regrade.dry) "regrade.next.${regrade.state.code}" else "regrade.wet.${regrade.state.code}") }
         div("ways") {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
@@ -151,6 +152,28 @@ class ComplaintsTest {
     }
 
     @Test
+    @DisplayName("one of two complaints has to wait for the regrade of the other, or takes its points back")
+    fun twoCasesAreGradedAgainAtOnce() {
+        val times = AtomicInteger()
+        val grading = Grading { _, _, _, _ -> if (times.getAndIncrement() > 0) allRight() else Classroom.wrongReport() }
+        Classroom(folder, grading = grading, exercise = ofTwoCases()).open {
+            val student = newStudent()
+            val id = graded(student)
+            val bodies = listOf(CASE, CASE.replace("open-case", "hidden-case"))
+            val complaints = bodies.map { complain(id, it, student).json().text("id") }
+            val regrades = complaints.map { answer(id, it, AGAIN, instructor).json().text("regrade") }
+            regrades.forEach { look(instructor, "/api/v1/regrades/$it/events").bodyAsText() }
+            val result = look(student, "/api/v1/submissions/$id").json()
+            assertEquals("10", result.getValue("points").jsonObject.text("total"))
+            val page = show("/instructor/regrades/${regrades[0]}", instructor)
+            assertTrue("Chosen: the case “one pixel” alone." in page, page)
+            val list =
+                show("/instructor/courses/${one("SELECT id FROM courses")}/exercises/draw-dot/regrade", instructor)
+            assertTrue("the case “one pixel” alone" in list, list)
+        }
+    }
+
+    @Test
     @DisplayName(
         "a page does not show the form below the failed case, its words are markup, or they are lost when refused",
     )
@@ -191,6 +214,25 @@ class ComplaintsTest {
                 CaseReport(name, visibility, GradingVerdict.OK, 5, 5, Message.NONE, emptyList(), "")
             }
         return Report(GradingVerdict.OK, ScorePoints(5, 5, 0, 10), cases, emptyList(), Report.BUBBLEWRAP, 0.0)
+    }
+
+    private fun ofTwoCases(): Exercise {
+        val one = Classroom.EXERCISE
+        val open = one.cases().single()
+        val hidden =
+            Exercise.Case("hidden-case", open.title(), open.kind(), Disclosure.VERDICT_ONLY, 5, open.input(), false)
+        return Exercise(
+            one.id(),
+            one.topic(),
+            one.title(),
+            one.statement(),
+            emptyMap(),
+            one.starter(),
+            one.revision(),
+            one.tolerance(),
+            one.points(),
+            listOf(open, hidden),
+        )
     }
 
     private fun halfRight() =

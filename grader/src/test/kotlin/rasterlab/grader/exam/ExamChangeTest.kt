@@ -115,6 +115,15 @@ class ExamChangeTest {
             assertEquals(403, send(address, cookieOf(newStudent(course)), *both.toTypedArray()).status.value)
         }
 
+    @Test
+    @DisplayName("a list in the place of a text opens the exam to all addresses")
+    fun refusesAListOfAddresses() =
+        classroom().open(grades = false) {
+            val exam = exam(newCourse(), "addresses" to "10.0.0.0/8")
+            change(exam, """{"addresses":["10.0.0.0/16"]}""").assertProblem(400, "malformed-request")
+            assertEquals("10.0.0.0/8", one("SELECT addresses FROM exams"))
+        }
+
     private suspend fun Visit.change(
         exam: String,
         body: String,

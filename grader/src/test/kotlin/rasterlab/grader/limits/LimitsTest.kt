@@ -103,6 +103,9 @@ class LimitsTest {
             for (wrong in listOf("9", "0", "\"x\"", "2.5")) {
                 limits(course, """{"submissionsPerMinute":$wrong}""").assertProblem(422, "bad-rule")
             }
+            for (wrong in listOf("[1]", "{}", """{"a":1}""")) {
+                limits(course, """{"submissionsPerMinute":$wrong}""").assertProblem(400, "malformed-request")
+            }
             limits(course, """{"perMinute":3}""").assertProblem(400, "malformed-request")
             limits(course, """{"waiting":3}""", ada).assertProblem(403, "wrong-role")
             assertEquals(set, look(instructor, "/api/v1/courses/$course/limits").bodyAsText())

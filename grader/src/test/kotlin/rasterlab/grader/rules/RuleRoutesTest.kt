@@ -88,6 +88,9 @@ class RuleRoutesTest {
                 answer.assertProblem(422, "bad-rule")
             }
             rule(course, """{"deadline":"+10000-01-01T00:00:00Z"}""").assertProblem(422, "bad-deadline")
+            for (wrong in listOf("[1]", "{}")) {
+                rule(course, """{"deadline":$wrong}""").assertProblem(400, "malformed-request")
+            }
             rule(course, """{"weight":3}""").assertProblem(400, "malformed-request")
             rule(course, """{"attempts":3}""", by = newStudent(course)).assertProblem(403, "wrong-role")
             rule("none", """{"attempts":3}""").assertProblem(404, "unknown-course")

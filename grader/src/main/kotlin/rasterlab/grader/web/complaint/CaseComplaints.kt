@@ -19,6 +19,7 @@ import kotlinx.html.span
 import kotlinx.html.strong
 import kotlinx.html.summary
 import rasterlab.exercises.published.PublishedCase
+import rasterlab.exercises.score.CaseReport
 import rasterlab.grader.complaint.CaseComplaint
 import rasterlab.grader.complaint.ComplaintAnswer
 import rasterlab.grader.complaint.ComplaintDesk
@@ -153,7 +154,8 @@ private fun FlowContent.answering(
                         value = "true"
                         checked = refused?.get("regrade") != null
                     }
-                    span { +texts.say("complaint.regrade") }
+                    val alone = CaseReport.ownTitle(one.case, texts.language).isEmpty
+                    span { +texts.say(if (alone) "complaint.regrade" else "complaint.regrade.whole") }
                 }
             }
             div("ways") {

@@ -146,7 +146,7 @@ private class ExerciseTable(
                         min = "1"
                         max = "$allowed"
                         placeholder = "$allowed"
-                        value = typed?.get(field.code) ?: own[field]?.toString().orEmpty()
+                        value = typed?.get(field.code) ?: own[field]?.coerceAtMost(allowed)?.toString().orEmpty()
                     }
                 }
             }
