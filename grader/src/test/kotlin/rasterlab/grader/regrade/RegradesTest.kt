@@ -123,6 +123,22 @@ open class RegradesTest {
     }
 
     @Test
+    @DisplayName("a result of which one case is graded again counts as one of the later version of the exercise")
+    fun oneCaseLeavesTheVersion() {
+        val ada = students.handIn(students.student("Ada"))
+        gradeAll()
+        given = 6
+        val case = Classroom.EXERCISE.cases().single()
+        regrades().start(course(), Classroom.EXERCISE, RegradeChoice.SOME, listOf(ada), dry = false, "i", null, case)
+        val lease = checkNotNull(leases.regrades.claimNext())
+        leases.regrades.finish(lease, "r2", report())
+        assertEquals(
+            listOf("1 0 r1", "2 1 r1"),
+            texts("SELECT run || ' ' || is_current || ' ' || revision FROM results"),
+        )
+    }
+
+    @Test
     @DisplayName("undoing takes away the results of a later regrade")
     fun undoesTheLatestFirst() {
         val ada = students.handIn(students.student("Ada"))
