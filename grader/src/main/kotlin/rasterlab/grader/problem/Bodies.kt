@@ -51,10 +51,13 @@ suspend fun <T : Any> ApplicationCall.inTime(read: suspend () -> T): T {
     return withTimeoutOrNull(patience) { read() } ?: throw Rejection.TooSlow(patience.inWholeSeconds)
 }
 
-/** The body, never keeping more than [limit] bytes of it. */
-suspend fun ApplicationCall.receiveAtMost(limit: Int): ByteArray {
+/** The body, never keeping more than [limit] bytes of it; one that is longer is [tooLarge]. */
+suspend fun ApplicationCall.receiveAtMost(
+    limit: Int,
+    tooLarge: () -> Rejection = { Rejection.TooLarge(limit) },
+): ByteArray {
     val body = inTime { receiveChannel().readRemaining(limit + 1L).readByteArray() }
-    if (body.size > limit) throw Rejection.TooLarge(limit)
+    if (body.size > limit) throw tooLarge()
     return body
 }
 

@@ -373,7 +373,7 @@ sealed class Rejection(
         val allowed: List<String>,
     ) : Rejection("$method is not for $path, allowed are ${allowed.joinToString()}", "method-not-allowed")
 
-    class TooLarge(
+    open class TooLarge(
         limit: Int,
     ) : Rejection("the body may have at most $limit bytes", "too-large")
 

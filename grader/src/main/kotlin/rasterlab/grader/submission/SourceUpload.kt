@@ -16,28 +16,35 @@ const val LONGEST_SOURCE_BYTES = Grading.MOST_SOURCE_BYTES
 private const val FORM_EXTRA_BYTES = 16 * 1024
 private const val KOTLIN = "text/x-kotlin"
 
+private class SourceTooLarge : Rejection.TooLarge(LONGEST_SOURCE_BYTES) {
+    override val pageText get() = "$code.source"
+}
+
 /** The text that is handed in, in the body: alone, or as the multipart field `source`. */
 suspend fun ApplicationCall.receiveSource(form: TaskKind): String {
     if (request.headers[HttpHeaders.ContentType].orEmpty().startsWith(KOTLIN)) throw Rejection.Kotlin()
     val alone = ContentType.parse(form.mediaType())
     if (bodyType(alone, ContentType.MultiPart.FormData) == alone) {
-        return sourceOf(receiveAtMost(LONGEST_SOURCE_BYTES))
+        return sourceOf(receiveAtMost(LONGEST_SOURCE_BYTES, ::SourceTooLarge))
     }
     return sourceOf(receiveFields())
 }
 
 /** Bytes of a source as text. */
 fun sourceOf(bytes: ByteArray): String {
-    if (bytes.size > LONGEST_SOURCE_BYTES) throw Rejection.TooLarge(LONGEST_SOURCE_BYTES)
+    if (bytes.size > LONGEST_SOURCE_BYTES) throw SourceTooLarge()
     val text = utf8(bytes) { Rejection.NotUtf8(it, SourceEncoding.of(bytes)) }
     if (text.isBlank()) throw Rejection.EmptySource()
     return text
 }
 
 /** The fields of a form, in order; its files and texts may have [most] bytes together. */
-internal suspend fun ApplicationCall.receiveFields(most: Int = 2 * LONGEST_SOURCE_BYTES): List<FormField> {
+internal suspend fun ApplicationCall.receiveFields(
+    most: Int = 2 * LONGEST_SOURCE_BYTES,
+    tooLarge: () -> Rejection = ::SourceTooLarge,
+): List<FormField> {
     bodyType(ContentType.MultiPart.FormData)
-    return formFields(receiveAtMost(most + FORM_EXTRA_BYTES), request.contentType())
+    return formFields(receiveAtMost(most + FORM_EXTRA_BYTES, tooLarge), request.contentType())
 }
 
 /** The content of the form's field `source`; of several, the first that is not empty. */

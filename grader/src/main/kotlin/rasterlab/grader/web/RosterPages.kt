@@ -44,15 +44,21 @@ import rasterlab.grader.problem.Rejection
 import rasterlab.grader.report.Grades
 import rasterlab.grader.report.GradesReader
 import rasterlab.grader.report.respondGrades
+import rasterlab.grader.storage.Secrets
 import rasterlab.grader.submission.FormField
 import rasterlab.grader.submission.Marks
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.receiveFields
+import rasterlab.grader.web.comment.ONCE
 import java.util.Base64
 
 /** The field of the file that is sent, and that of the same file once more when its changes were seen. */
 private const val FILE = "roster"
 private const val SEEN = "seen"
+
+private class RosterTooLarge : Rejection.TooLarge(ROSTER_BYTES) {
+    override val pageText get() = "$code.roster"
+}
 
 /** Shows staff who is in a course, and takes rosters from instructors: it tells what would change, and then changes it. */
 fun Route.rosterPages(
@@ -71,11 +77,12 @@ fun Route.rosterPages(
         val who = call.instructorHere(accounts)
         val desk = RosterDesk(call.courseOf(courses), courses, submissions, marks)
         desk.showAgain(call, who)
-        val fields = call.receiveFields(2 * ROSTER_BYTES)
+        val fields = call.receiveFields(2 * ROSTER_BYTES, ::RosterTooLarge)
         val seen = fields.content(SEEN)?.let(::unpacked)
         val file = seen ?: fields.content(FILE) ?: throw Rejection.BadRoster("empty")
-        if (file.size > ROSTER_BYTES) throw Rejection.TooLarge(ROSTER_BYTES)
-        val change = roster.apply(desk.course, file, dry = seen == null, who.id, key = null)
+        if (file.size > ROSTER_BYTES) throw RosterTooLarge()
+        val once = fields.content(ONCE)?.decodeToString()
+        val change = roster.apply(desk.course, file, dry = seen == null, who.id, once)
         if (seen == null) desk.preview(call, who, file, change) else desk.done(call, who, change)
     }
 }
@@ -183,6 +190,7 @@ private class RosterDesk(
                 } else {
                     form(address, method = FormMethod.post, encType = FormEncType.multipartFormData) {
                         input(InputType.hidden, name = SEEN) { value = Base64.getEncoder().encodeToString(file) }
+                        input(InputType.hidden, name = ONCE) { value = Secrets.newId() }
                         button { +texts.say("roster.apply") }
                     }
                 }

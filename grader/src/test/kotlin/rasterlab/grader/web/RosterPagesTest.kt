@@ -74,6 +74,40 @@ class RosterPagesTest {
             assertTrue("To be corrected: 1" in preview && "To be corrected" !in done && "Corrected: 1" in done, done)
         }
 
+    @Test
+    @DisplayName("a second click on the button that applies a roster loses the tokens, or applies it again")
+    fun showsTheTokensOfAFormThatIsSentTwice() =
+        Classroom(folder).open(grades = false) {
+            val page = "/instructor/courses/${newCourse()}/students"
+            val preview = take(page, FormPart("roster", "Name\nAda\nEmmy\n")).bodyAsText()
+            val once = checkNotNull(Regex("""name="once" value="([^"]+)"""").find(preview)) { preview }.groupValues[1]
+            val form = arrayOf(FormPart("seen", seen(preview)), FormPart("once", once))
+            val (first, second) = List(2) { tokens(take(page, *form).bodyAsText()) }
+            assertEquals(2, first.size)
+            assertEquals(first, second)
+            assertEquals("2", count("students"))
+            assertEquals("1", count("audit WHERE action = 'roster'"))
+            val other = take(page, FormPart("roster", "Name\nAda\nEmmy\n")).bodyAsText()
+            assertFalse(once in other, "another form has the same key")
+        }
+
+    private fun tokens(page: String): List<String> =
+        Regex("""<code class="token">([^<]+)</code>""").findAll(page).map { it.groupValues[1] }.toList()
+
+    @Test
+    @DisplayName("a roster that is too long is refused with the limit of a source, or with words for one")
+    fun tellsHowLongARosterMayBe() =
+        Classroom(folder).open(grades = false) {
+            val page = "/instructor/courses/${newCourse()}/students"
+            for (length in listOf((1 shl 20) + 1, 3 shl 20)) {
+                val refused = take(page, FormPart("roster", "Name\n".padEnd(length, 'x')))
+                assertEquals(413, refused.status.value)
+                val told = refused.bodyAsText()
+                assertTrue("at most 1 MiB" in told && "name=\"roster\"" in told, told)
+                assertFalse("256" in told, told)
+            }
+        }
+
     private fun seen(page: String) =
         checkNotNull(Regex("""name="seen" value="([^"]*)"""").find(page)) { page }.groupValues[1]
 
@@ -135,7 +169,7 @@ class RosterPagesTest {
 
     private suspend fun Visit.take(
         path: String,
-        part: FormPart<*>,
+        vararg parts: FormPart<*>,
         by: String = instructor,
     ): HttpResponse {
         val cookie = cookieOf(by)
@@ -143,7 +177,7 @@ class RosterPagesTest {
             header(HttpHeaders.Cookie, cookie)
             header(HttpHeaders.Host, "localhost")
             header(HttpHeaders.Origin, "http://localhost")
-            setBody(MultiPartFormDataContent(formData(part)))
+            setBody(MultiPartFormDataContent(formData(*parts)))
         }
     }
 
