@@ -17,6 +17,7 @@ import java.time.Instant
  * @param course its name; null for what belongs to the whole server
  * @param subjectName what the id in [subject] is called, a submission by its student, a regrade by its exercise; null
  *     where it is none, or is gone
+ * @param case the name of the only case that a regrade is of; null where it is of all, and of any other change
  */
 data class AuditEntry(
     val id: String,
@@ -29,6 +30,7 @@ data class AuditEntry(
     val subject: String,
     val subjectName: String?,
     val detail: String,
+    val case: String?,
 )
 
 /** Reads what staff changed, the latest first. */
@@ -71,11 +73,12 @@ class Audit(
             row.getString("subject"),
             row.getString("subject_name"),
             row.getString("detail"),
+            row.getString("case_name"),
         )
 
     companion object {
         private const val SELECT =
-            """SELECT audit.*, doers.name AS by_name, doers.role, courses.name AS course_name,
+            """SELECT audit.*, doers.name AS by_name, doers.role, courses.name AS course_name, regrades.case_name,
                    coalesce(students.shown_name, others.name, earlier.name, authors.shown_name, regrades.exercise)
                        AS subject_name
                FROM audit

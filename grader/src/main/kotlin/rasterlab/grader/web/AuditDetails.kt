@@ -2,24 +2,31 @@ package rasterlab.grader.web
 
 import rasterlab.grader.course.AuditEntry
 import rasterlab.grader.course.StaffRole
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.rules.LimitField
 import java.time.DateTimeException
 import java.time.Instant
 
 private val COUNTS = Regex("[a-z]+ (-?\\d+), [a-z]+ (-?\\d+)")
 private val DAYS = Regex("(-?\\d+) days")
 private val POINTS = Regex("(-?\\d+), before (-?\\d+)")
-private val REGRADED = Regex("\\S+ ([a-z]+) (\\d+)")
+private val REGRADED = Regex("(\\S+) ([a-z]+) (\\d+)")
+private val LIMIT = Regex("([a-zA-Z]+) (\\d+|–)")
 private val CHANGE = Regex("([a-zA-Z]+): (.*)")
 private val NEXT_CHANGE = Regex(", (?=[a-zA-Z]+: )")
 
 /** Tells more of a change in the words of the page; what was noted, in English, where there are none for it. */
-internal fun PageTexts.detail(one: AuditEntry): String =
+internal fun PageTexts.detail(
+    one: AuditEntry,
+    exercises: Exercises,
+): String =
     when (one.action) {
         "roster" -> told(one, COUNTS, "roster")
         "export", "delete" -> told(one, COUNTS, "student")
         "clone" -> told(one, DAYS, "clone")
-        "regrade" -> regraded(one.detail)
+        "regrade" -> regraded(one, exercises)
         "points" -> told(one, POINTS, "points")
+        "limits" -> limits(one.detail)
         "rules" -> changes(one, "rules")
         "exam-change" -> changes(one, "exams")
         "staff-add", "staff-token", "staff-revoke" -> role(one.detail)
@@ -36,10 +43,24 @@ private fun PageTexts.told(
     return say("audit.detail.$word", *numbers.map { it.replace('-', '−') }.toTypedArray())
 }
 
-private fun PageTexts.regraded(text: String): String {
-    val (choice, count) = REGRADED.matchEntire(text)?.destructured ?: return text
-    return say("audit.detail.regrade", firstOf("regrade.of.$choice") ?: choice, count)
+private fun PageTexts.regraded(
+    one: AuditEntry,
+    exercises: Exercises,
+): String {
+    val (exercise, choice, count) = REGRADED.matchEntire(one.detail)?.destructured ?: return one.detail
+    val chosen = firstOf("audit.detail.regrade.$choice", "regrade.of.$choice") ?: choice
+    val told = say("audit.detail.regrade", chosen, count)
+    val case = one.case ?: return told
+    return say("audit.detail.regrade.case", told, exercises.find(exercise)?.caseTitle(case, language) ?: case)
 }
+
+/** Tells each limit by its name on the page of rules; one that is not set is what the server allows. */
+private fun PageTexts.limits(text: String): String =
+    text.split(", ").joinToString("; ") { part ->
+        val (code, number) = LIMIT.matchEntire(part)?.destructured ?: return@joinToString part
+        val field = LimitField.entries.find { it.code == code } ?: return@joinToString part
+        "${say("limits.${field.code}")}: $number"
+    }
 
 /** Tells fields that were changed, each as it was and as it is, by the names that they have on the page of [kind]. */
 private fun PageTexts.changes(

@@ -10,6 +10,7 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.AuditEntry
 import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.ListPart
 import rasterlab.grader.problem.Paging
 
@@ -17,22 +18,24 @@ import rasterlab.grader.problem.Paging
 fun Route.auditPages(
     accounts: Accounts,
     audit: Audit,
+    exercises: Exercises,
 ) = get("/instructor/audit") {
     val who = call.instructorHere(accounts)
     val before = call.request.queryParameters["before"]
-    call.respondAudit(who, audit.part(Paging(before)), begins = before == null)
+    call.respondAudit(who, audit.part(Paging(before)), exercises, begins = before == null)
 }
 
 private suspend fun ApplicationCall.respondAudit(
     who: Identity.Instructor,
     part: ListPart<AuditEntry>,
+    exercises: Exercises,
     begins: Boolean,
 ) {
     val texts = texts()
     respondPage(texts, who, texts.say("audit.title")) {
         p { a("/instructor") { +texts.say("token.back") } }
         p("plan") { +texts.say("audit.about", texts.zoneName) }
-        if (part.items.isEmpty()) p { +texts.say("audit.none") } else changeTable(texts, part.items)
+        if (part.items.isEmpty()) p { +texts.say("audit.none") } else changeTable(texts, part.items, exercises)
         p("ways") {
             if (!begins) a("/instructor/audit") { +texts.say("audit.latest") }
             part.next?.let { a("/instructor/audit?before=$it") { +texts.say("audit.earlier") } }
@@ -43,6 +46,7 @@ private suspend fun ApplicationCall.respondAudit(
 private fun FlowContent.changeTable(
     texts: PageTexts,
     entries: List<AuditEntry>,
+    exercises: Exercises,
 ) {
     val columns: List<Pair<String, FlowContent.(AuditEntry) -> Unit>> =
         listOf(
@@ -51,9 +55,13 @@ private fun FlowContent.changeTable(
             "what" to { +texts.action(it.action) },
             "subject" to { subject(it) },
             "course" to { +(it.course ?: "–") },
-            "detail" to { +(if (it.detail == it.subjectName) "–" else texts.detail(it).ifEmpty { "–" }) },
+            "detail" to { +(if (it.detail == it.subjectName) "–" else texts.detail(it, exercises).ifEmpty { "–" }) },
         )
-    stacked(columns.map { (name, content) -> texts.say("audit.column.$name") to content }, entries)
+    stacked(
+        texts.say("audit.title"),
+        columns.map { (name, content) -> texts.say("audit.column.$name") to content },
+        entries,
+    )
 }
 
 private fun FlowContent.subject(one: AuditEntry) {
@@ -61,15 +69,15 @@ private fun FlowContent.subject(one: AuditEntry) {
     when {
         one.subjectName == null -> +name.ifEmpty { "–" }
 
-        one.action.startsWith(
-            "points",
-        ) || one.action.startsWith("comment") -> a("/submissions/${one.subject}") { +name }
+        isOfSubmission(one) -> a("/submissions/${one.subject}") { +name }
 
         one.action.startsWith("regrade") -> a("/instructor/regrades/${one.subject}") { +name }
 
         else -> +name
     }
 }
+
+private fun isOfSubmission(one: AuditEntry) = listOf("points", "comment").any(one.action::startsWith)
 
 private fun PageTexts.doer(one: AuditEntry): String =
     when {

@@ -169,22 +169,30 @@ internal fun CommonAttributeGroupFacade.scrolledByKeys(name: String) {
 }
 
 /**
- * A table with a row for each of [all]; on a phone each row stands as a list, in which every cell tells its column.
+ * A table with a row for each of [all], which is scrolled where it is wider than the page; on a phone each row stands
+ * as a list, in which every cell tells its column.
  *
+ * @param name for readers that speak
  * @param columns their names, and what a cell shows
+ * @param numbers the names of those that show numbers
  */
 internal fun <T> FlowContent.stacked(
+    name: String,
     columns: List<Pair<String, FlowContent.(T) -> Unit>>,
     all: List<T>,
-) = table("students stacked") {
-    thead { tr { columns.forEach { (name) -> th(scope = ThScope.col) { +name } } } }
-    tbody {
-        all.forEach { one ->
-            tr {
-                columns.forEach { (name, content) ->
-                    td {
-                        column(name)
-                        div { content(one) }
+    numbers: Set<String> = emptySet(),
+) = scrolling(name) {
+    fun kind(column: String) = if (column in numbers) "number" else null
+    table("students stacked") {
+        thead { tr { columns.forEach { (column) -> th(scope = ThScope.col, classes = kind(column)) { +column } } } }
+        tbody {
+            all.forEach { one ->
+                tr {
+                    columns.forEach { (column, content) ->
+                        td(kind(column)) {
+                            column(column)
+                            div { content(one) }
+                        }
                     }
                 }
             }

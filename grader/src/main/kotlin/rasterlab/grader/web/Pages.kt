@@ -58,7 +58,7 @@ fun Route.pages(
     studentPages(accounts, exercises, submissions, records)
     clonePages(accounts, courses, clones)
     staffPages(accounts, staff, courses)
-    auditPages(accounts, audit)
+    auditPages(accounts, audit, exercises)
     workerPages(accounts, workers)
 }
 

@@ -131,7 +131,7 @@ private fun FlowContent.memberTable(
     who: Identity.Instructor,
     members: List<StaffMember>,
     courses: List<Course>,
-) = scrolling(texts.say("staff.title")) {
+) {
     val columns =
         listOf<Pair<String, FlowContent.(StaffMember) -> Unit>>(
             "name" to { one ->
@@ -148,7 +148,7 @@ private fun FlowContent.memberTable(
             "used" to { one -> one.lastUsedAt?.let { moment(texts, it) } ?: +texts.say("staff.never") },
             "entry" to { access(texts, it) },
         ).map { (name, content) -> texts.say("staff.column.$name", texts.zoneName) to content }
-    stacked(columns, members)
+    stacked(texts.say("staff.title"), columns, members)
 }
 
 private fun FlowContent.naming(

@@ -51,7 +51,7 @@ private suspend fun ApplicationCall.respondWorkers(
 private fun FlowContent.workerTable(
     texts: PageTexts,
     all: List<WorkerSeen>,
-) = scrolling(texts.say("worker.title")) {
+) {
     val columns =
         listOf<Pair<String, FlowContent.(WorkerSeen) -> Unit>>(
             "name" to { +it.worker.name },
@@ -62,7 +62,7 @@ private fun FlowContent.workerTable(
             "started" to { moment(texts, it.startedAt) },
             "state" to { standing(texts, it) },
         ).map { (name, content) -> texts.say("worker.column.$name", texts.zoneName) to content }
-    stacked(columns, all)
+    stacked(texts.say("worker.title"), columns, all)
 }
 
 private fun FlowContent.standing(

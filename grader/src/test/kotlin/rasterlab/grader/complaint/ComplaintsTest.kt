@@ -145,6 +145,9 @@ class ComplaintsTest {
                     "/api/v1/regrades/${answered.text("regrade")}",
                 ).json().getValue("regrade").field("case"),
             )
+            val cookie = cookieOf(instructor)
+            val audit = client.get("/instructor/audit?lang=en") { header(HttpHeaders.Cookie, cookie) }.bodyAsText()
+            assertTrue("chosen ones, submissions: 1, just one case: one pixel" in audit, audit)
             assertEquals("accepted", all(id, student).single().field("regradeState"))
             assertEquals("false", all(id, student).single().field("current"))
             assertEquals(201, complain(id, CASE.replace("open-case", "hidden-case"), student).status.value)

@@ -84,6 +84,10 @@ class SimilarTest {
             val list = page("/instructor/exercises/draw-dot/similarity")
             val address = "/instructor/exercises/draw-dot/similarity/${ids[0]}/${ids[1]}"
             assertTrue(address in list, list)
+            val table = Regex("<div class=\"scroll\" tabindex=\"0\"[^>]*>\\s*<table class=\"students stacked\">")
+            assertTrue(table in list, "the page is as wide as its table: $list")
+            assertEquals(4, Regex("<td class=\"number\"").findAll(list).count(), list)
+            assertEquals(4, Regex("<th [^>]*class=\"number\"").findAll(list).count(), list)
             val beside = page(address)
             assertEquals(2, Regex("<li><code>// &lt;[bi]&gt;</code>").findAll(beside).count(), beside)
             assertEquals(2, Regex("<li class=\"in-both\">").findAll(beside).count(), beside)

@@ -18,9 +18,12 @@ import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer
 import rasterlab.grader.cookieOf
+import rasterlab.grader.course.AuditNote
 import rasterlab.grader.json
+import rasterlab.grader.one
 import rasterlab.grader.sendForm
 import java.nio.file.Path
+import java.time.Instant
 
 /** The page of what was changed. */
 @Tag("slow")
@@ -34,6 +37,7 @@ class AuditPagesTest {
         Classroom(folder).open(grades = false) {
             change()
             val page = show("ru")
+            assertFalse("отмеченные ниже" in page, page)
             val said =
                 listOf(
                     "добавлено: 2, исправлено: 0",
@@ -41,9 +45,11 @@ class AuditPagesTest {
                     "Что засчитывается: лучшая попытка → последняя попытка",
                     "сдвиг в\u00a0днях: 7",
                     "Ассистент, Graphics",
+                    "Отправок в\u00a0минуту: 7; Одновременно ждут результата: –",
+                    "выбранные решения, решений: 1",
                 )
             for (one in said) assertTrue(one in page, "$one: $page")
-            for (word in listOf("added", "corrected", "deadline", "days", "assistant")) {
+            for (word in listOf("added", "corrected", "deadline", "days", "assistant", "waiting")) {
                 assertFalse(Regex("<div>[^<]*\\b$word\\b").containsMatchIn(page), "$word: $page")
             }
         }
@@ -54,7 +60,8 @@ class AuditPagesTest {
         Classroom(folder).open(grades = false) {
             change()
             val page = show("en")
-            assertTrue("<table class=\"students stacked\">" in page, page)
+            val table = Regex("<div class=\"scroll\" tabindex=\"0\"[^>]*>\\s*<table class=\"students stacked\">")
+            assertTrue(table in page, "the page is as wide as its table: $page")
             val columns = listOf("When", "Who", "What", "Whom or what it is about", "Course", "Detail")
             val cells = Regex("<td data-column=\"([^\"]*)\"").findAll(page).map { it.groupValues[1] }.toList()
             val names = Regex("<th scope=\"col\">([^<]*)").findAll(page).map { it.groupValues[1] }.toList()
@@ -85,6 +92,14 @@ class AuditPagesTest {
             json("""{"name":"Alan","role":"assistant","course":"$course"}""")
         }
         sendForm("/instructor/courses/$course/exercises/draw-dot", "attempts=")
+        client.patch("/api/v1/courses/$course/limits") {
+            bearer(instructor)
+            json("""{"submissionsPerMinute":7}""")
+        }
+        val by = one("SELECT account_id FROM audit WHERE action = 'limits'")
+        val id = one("SELECT id FROM courses WHERE code = '$course'")
+        val note = AuditNote(by, id, "regrade", "none", "draw-dot some 1")
+        database.write { note.write(it, Instant.parse("2027-03-01T12:00:00Z")) }
     }
 
     private suspend fun Visit.show(language: String): String {

@@ -71,6 +71,8 @@ fun Route.similarPages(
     }
 }
 
+private val NUMBERS = listOf("rare", "shared", "longest", "wrong")
+
 /** @param course whose programs are compared; null for those of all */
 private class SimilarDesk(
     private val course: Course?,
@@ -118,7 +120,12 @@ private class SimilarDesk(
                 "wrong" to { one -> +"${one.sameWrong.count { !CaseReport.isWithheld(it) }}" },
             )
         val shown = columns.filter { (name) -> course == null || name != "courses" }
-        stacked(shown.map { (name, content) -> texts.say("similar.column.$name") to content }, pairs)
+        stacked(
+            texts.say("similar.title", exercise.title(texts.language)),
+            shown.map { (name, content) -> texts.say("similar.column.$name") to content },
+            pairs,
+            NUMBERS.mapTo(mutableSetOf()) { texts.say("similar.column.$it") },
+        )
     }
 
     suspend fun showBeside(
