@@ -141,7 +141,11 @@ class Sittings(
         val id = intake.acceptAtExam(sitting.student, exercise, source, key, limited = true)
         database.write { handle ->
             store(handle, sitting, exercise.id(), draft, now(), handed = true)
-            note(handle, sitting, now(), ExamEventKind.HAND_IN, examinee, handIn(exercise.id(), id))
+            // A form that is sent twice hands in once.
+            val handed = handIn(exercise.id(), id)
+            if (!ExamEvents.tell(handle, sitting, handed)) {
+                note(handle, sitting, now(), ExamEventKind.HAND_IN, examinee, handed)
+            }
         }
         handedIn(id)
         return id

@@ -28,6 +28,19 @@ internal fun FlowOrPhrasingContent.moment(
         +" "
     }
 
+private val DATE = Regex("\\d{4}-\\d{2}-\\d{2}")
+
+/** A sentence whose dates are not broken at the end of a line. */
+internal fun FlowOrPhrasingContent.unbrokenTimes(sentence: String) {
+    var told = 0
+    for (date in DATE.findAll(sentence)) {
+        +sentence.substring(told, date.range.first)
+        span("unbroken") { +date.value }
+        told = date.range.last + 1
+    }
+    +sentence.substring(told)
+}
+
 /** One student's attempts at one exercise. */
 fun FlowContent.attemptTable(
     texts: PageTexts,

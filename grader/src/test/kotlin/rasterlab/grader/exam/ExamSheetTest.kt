@@ -66,6 +66,7 @@ class ExamSheetTest {
             val again = refused.bodyAsText()
             assertTrue("aria-invalid" in again && value(again, names[0]) == "12", again)
             assertTrue("id=\"clock\"" in again, "the exam is gone: $again")
+            assertTrue("data-exam=\"/exams/$exam\"" in again, "the clock does not know where the exam is: $again")
         }
 
     @Test
@@ -74,7 +75,8 @@ class ExamSheetTest {
         classroom().open {
             val (exam, cookie) = begun()
             val (sheet, _) = asked(seen(exam, cookie))
-            assertEquals(302, send(exam, cookie, sheet, right(sheet)).status.value)
+            repeat(2) { assertEquals(302, send(exam, cookie, sheet, right(sheet)).status.value) }
+            assertEquals("opened draft hand-in", kinds(), "a second click is told as another one")
             val source = one("SELECT source FROM submissions")
             val handed = HandedAnswers.of(exercise, source).sheet()
             assertEquals(sheet.seed(), handed.seed())

@@ -46,6 +46,7 @@ open class ExamTest {
             wall += Duration.ofHours(9)
             assertEquals(302, open(exam, cookie).status.value)
             assertTrue("30 minutes" in seen(exam, cookie), seen(exam, cookie))
+            assertTrue("<span class=\"unbroken\">2027-03-01</span>" in seen(exam, cookie), "a line may end in a date")
             assertEquals(302, draft(exam, cookie, "class Dot { int first; }").status.value)
             pass(Duration.ofMinutes(29))
             assertEquals("60", draft(exam, cookie, "class Dot { int <last>; }", "quiet" to "yes").bodyAsText())

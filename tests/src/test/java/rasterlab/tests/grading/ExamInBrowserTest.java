@@ -127,15 +127,48 @@ class ExamInBrowserTest {
     void timeOverClosesTheForm() throws SQLException {
         type("class Last { }");
         endTime();
-        // The page's own clock is moved to the end.
-        browser.driver()
-                .executeScript(
-                        "const now = performance.now.bind(performance);"
-                                + "performance.now = () => now() + 3600 * 1000");
+        passTime();
         browser.waiting().until(driver -> driver.getCurrentUrl().endsWith("/exams"));
         assertTrue(browser.driver().findElements(By.cssSelector(TEXT)).isEmpty());
         assertTrue(
                 browser.driver().findElements(By.cssSelector("form[action$='/open']")).isEmpty());
+    }
+
+    @Test
+    @DisplayName("a page on which a sheet was refused stays when time is over, at an address that shows nothing")
+    void timeOverLeavesARefusedSheet() throws SQLException {
+        browser.element(ANSWER).sendKeys("no number");
+        browser.element(SHEET + " button").click();
+        browser.element(SHEET + " [aria-invalid]");
+        assertTrue(browser.driver().getCurrentUrl().endsWith("/predict-line"));
+        endTime();
+        passTime();
+        browser.waiting().until(driver -> driver.getCurrentUrl().endsWith("/exams"));
+        browser.element("main h1");
+    }
+
+    @Test
+    @DisplayName("a text that a window keeps alone, not as the fields of a form, stops the clock or is lost")
+    void aTextKeptAloneIsTaken() {
+        String page = browser.driver().getCurrentUrl();
+        browser.driver()
+                .executeScript(
+                        "for (const form of document.querySelectorAll('form[data-draft]'))"
+                                + " sessionStorage.setItem(form.dataset.kept, 'class Kept { }')");
+        browser.driver().get("about:blank");
+        browser.driver().get(page);
+        browser.waiting().until(driver -> left() != null);
+        assertEquals("class Kept { }", browser.element(TEXT).getAttribute("value"));
+        String saved = browser.element("form[data-draft]").getAttribute("data-saved");
+        browser.waiting().until(driver -> browser.text(STATE).equals(saved));
+    }
+
+    /** Moves the page's own clock to the end. */
+    private void passTime() {
+        browser.driver()
+                .executeScript(
+                        "const now = performance.now.bind(performance);"
+                                + "performance.now = () => now() + 3600 * 1000");
     }
 
     /** Lets the sitting have begun an hour and more ago. */

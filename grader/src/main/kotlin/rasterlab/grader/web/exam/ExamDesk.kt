@@ -51,6 +51,7 @@ import rasterlab.grader.web.requireOwnForm
 import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.staffHere
 import rasterlab.grader.web.texts
+import rasterlab.grader.web.unbrokenTimes
 
 /** Serves what staff do with exams: make one, watch it, change it, take its protocol away. */
 internal fun Route.examDesk(
@@ -204,7 +205,7 @@ private suspend fun ApplicationCall.respondAll(
             all.forEach { exam ->
                 li {
                     a("/instructor/exams/${exam.id}") { +exam.name }
-                    +" ${texts.said(exam)}"
+                    unbrokenTimes(" ${texts.said(exam)}")
                 }
             }
         }

@@ -55,6 +55,7 @@ import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.sourceField
 import rasterlab.grader.web.studentHere
 import rasterlab.grader.web.texts
+import rasterlab.grader.web.unbrokenTimes
 
 /** Says in a form that a script sends it, which wants the seconds that are left and no page. */
 private const val QUIET = "quiet"
@@ -140,7 +141,7 @@ private suspend fun ApplicationCall.respondExams(
         all.forEach { one ->
             section("card exam") {
                 h2 { +one.exam.name }
-                p { +texts.describe(one) }
+                p { unbrokenTimes(texts.describe(one)) }
                 state(texts, one, one.state(sittings.now()))
             }
         }
@@ -238,12 +239,13 @@ private fun FlowContent.clock(
 ) = p("clock card") {
     id = "clock"
     role = "timer"
+    attributes["data-exam"] = "/exams/${sitting.exam.id}"
     attributes["data-left"] = "$left"
     attributes["data-grace"] = "${sitting.exam.grace}"
     +"${texts.say("exam.left")} "
     span("left") { +(if (left >= 60) texts.say("exam.minutes", left / 60) else texts.say("exam.seconds", left)) }
     sitting.ends?.let {
         +" "
-        span("legend") { +texts.say("exam.ends", texts.time(it)) }
+        span("legend") { unbrokenTimes(texts.say("exam.ends", texts.time(it))) }
     }
 }

@@ -15,8 +15,21 @@ if (clock) {
   // A form has one text, or the fields of a sheet of questions.
   const fieldsOf = (form) => [...form.elements].filter((field) => field.name && field.type !== "hidden");
   const read = (form) => JSON.stringify(fieldsOf(form).map((field) => [field.name, field.value]));
+  const parsed = (typed) => {
+    try {
+      return JSON.parse(typed);
+    } catch {
+      return null;
+    }
+  };
+  const isField = (one) => Array.isArray(one) && one.length === 2 && one.every((part) => typeof part === "string");
+  // A window may still keep a text alone, not the fields of its form: that stands in the field for a source.
+  const fieldsIn = (typed) => {
+    const fields = parsed(typed);
+    return Array.isArray(fields) && fields.every(isField) ? fields : [["source", typed]];
+  };
   const write = (form, typed) => {
-    for (const [name, text] of JSON.parse(typed)) {
+    for (const [name, text] of fieldsIn(typed)) {
       const field = form.elements.namedItem(name);
       if (field) field.value = text;
     }
@@ -50,11 +63,11 @@ if (clock) {
     }
   };
 
-  // Goes to what the server says of the end. While it cannot be reached, the page stays, and what is typed with it.
+  // Goes to what the server says of the end, which is not at the address of a form that was refused. While it cannot be reached, the page stays, and what is typed with it.
   const leave = async () => {
     try {
-      await fetch(location.href, { method: "GET", credentials: "same-origin" });
-      location.reload();
+      await fetch(clock.dataset.exam, { method: "GET", credentials: "same-origin" });
+      location.replace(clock.dataset.exam);
     } catch {
       setTimeout(leave, EVERY);
     }
