@@ -31,9 +31,9 @@ import rasterlab.grader.problem.respondJson
 import rasterlab.grader.problem.respondPart
 import rasterlab.grader.problem.typed
 import rasterlab.grader.rules.named
+import rasterlab.grader.rules.said
 import rasterlab.grader.storage.text
 import java.time.Instant
-import java.util.Locale
 
 @Serializable
 private data class ExamAnswer(
@@ -187,7 +187,7 @@ private fun ApplicationCall.answer(exam: Exam) =
         exam.grace,
         exam.addresses.text,
         ExamForm.told(exam).getValue(ExamField.SECOND),
-        exam.repeatedHours().map { it.said(Locale.forLanguageTag(language())) },
+        exam.repeatedHours().said(language()),
     )
 
 private fun answer(

@@ -28,19 +28,17 @@ internal class CourseZones(
         database
             .read { handle ->
                 handle
-                    .createQuery(
-                        """SELECT zone FROM ($TOLD) AS told WHERE course_id = :course
-                           GROUP BY zone ORDER BY count(*) DESC, zone LIMIT 1""",
-                    ).bind("course", course)
+                    .createQuery("$ZONES AND course_id = :course")
+                    .bind("course", course)
                     .mapTo(String::class.java)
                     .findOne()
             }.map(ZoneId::of)
             .getOrNull() ?: ZoneOffset.UTC
 
-    /** The one zone that all courses have; UTC where they have several. */
+    /** The one zone of all courses that have any; UTC where they have several. */
     private fun common(): ZoneId =
         database
-            .read { it.createQuery("SELECT DISTINCT zone FROM ($TOLD) AS told").mapTo(String::class.java).list() }
+            .read { it.createQuery(ZONES).mapTo(String::class.java).set() }
             .singleOrNull()
             ?.let(ZoneId::of) ?: ZoneOffset.UTC
 
@@ -65,6 +63,14 @@ internal class CourseZones(
         const val TOLD =
             """SELECT course_id, zone FROM course_exercises WHERE due_at IS NOT NULL OR opens_at IS NOT NULL
                UNION ALL SELECT course_id, zone FROM exams"""
+
+        /** The zone of each course, which most of its deadlines and exams have. */
+        const val ZONES =
+            """SELECT zone FROM
+                   (SELECT course_id, zone,
+                        row_number() OVER (PARTITION BY course_id ORDER BY count(*) DESC, zone) AS place
+                    FROM ($TOLD) AS told GROUP BY course_id, zone) AS ranked
+               WHERE place = 1"""
     }
 }
 

@@ -9,6 +9,12 @@ import java.util.Locale
 /** Writes a moment as the clocks of a zone show it, such as 2027-03-28T03:00+02:00. */
 internal fun Instant.withOffset(zone: ZoneId): String = "${atZone(zone).toOffsetDateTime()}"
 
+/** Whether the clocks of the zone show that time of day twice, since they are set back after it. */
+internal fun ZonedDateTime.comesTwice(): Boolean = zone.rules.getValidOffsets(toLocalDateTime()).size > 1
+
+/** The sentences about moments whose time of day comes twice, in a language. */
+internal fun List<RepeatedHour>.said(language: String): List<String> = map { it.said(Locale.forLanguageTag(language)) }
+
 /** A moment of an hour that the clocks of its zone show twice, since they are set back after it. */
 class RepeatedHour private constructor(
     private val field: String,
@@ -33,14 +39,7 @@ class RepeatedHour private constructor(
             vararg moments: Pair<String, Instant?>,
         ): List<RepeatedHour> =
             moments.mapNotNull { (field, moment) ->
-                val at = moment?.atZone(zone)
-                if (at == null ||
-                    zone.rules.getValidOffsets(at.toLocalDateTime()).size < 2
-                ) {
-                    null
-                } else {
-                    RepeatedHour(field, at)
-                }
+                moment?.atZone(zone)?.takeIf { it.comesTwice() }?.let { RepeatedHour(field, it) }
             }
 
         /** Picks those of the rules of an exercise. */

@@ -19,7 +19,6 @@ import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.problem.typed
 import rasterlab.grader.storage.text
-import java.util.Locale
 
 @Serializable
 private data class RulesAnswer(
@@ -108,9 +107,7 @@ fun Route.exerciseRules(
             }
         val holds = rules.extend(call.course(courses), exercise, student, until, reason, instructor.id)
         val notes =
-            RepeatedHour.among(holds.zone, RuleField.DEADLINE.code to holds.due).map {
-                it.said(Locale.forLanguageTag(call.language()))
-            }
+            RepeatedHour.among(holds.zone, RuleField.DEADLINE.code to holds.due).said(call.language())
         call.respondJson(ExtensionAnswer(student, exercise, holds.due?.text(), notes))
     }
 }
@@ -136,5 +133,5 @@ private fun answer(
     rules.policy.code,
     rules.latePenalty,
     inCourse,
-    RepeatedHour.among(rules).map { it.said(Locale.forLanguageTag(language)) },
+    RepeatedHour.among(rules).said(language),
 )

@@ -6,6 +6,7 @@ import rasterlab.exercises.score.GradingVerdict
 import rasterlab.grader.problem.LANGUAGES
 import rasterlab.grader.problem.acceptedLanguage
 import rasterlab.grader.rules.READERS_ZONE
+import rasterlab.grader.rules.comesTwice
 import rasterlab.grader.rules.named
 import rasterlab.grader.wording.Wording
 import java.time.Instant
@@ -37,8 +38,19 @@ class PageTexts private constructor(
     /** The moment to the minute with its zone, such as "2027-03-01 23:59 Europe/Moscow". */
     fun time(at: Instant): String = "${minute(at)} $zoneName"
 
-    /** The moment to the minute, where the zone is told beside it. */
-    fun minute(at: Instant): String = MINUTE.format(at.atZone(zone))
+    /** The moment to the minute, where the zone is told beside it; with its offset where that time comes twice. */
+    fun minute(at: Instant): String = written(at, MINUTE)
+
+    /** The moment to the second, otherwise as [minute]. */
+    fun second(at: Instant): String = written(at, SECOND)
+
+    private fun written(
+        at: Instant,
+        form: DateTimeFormatter,
+    ): String {
+        val here = at.atZone(zone)
+        return form.format(here) + if (here.comesTwice()) " ${here.offset}" else ""
+    }
 
     fun verdict(code: String): String = GradingVerdict.word(code, language)
 
@@ -73,6 +85,8 @@ class PageTexts private constructor(
         private val OTHERS = Regex("[^a-z]+")
 
         private val MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm")
+
+        private val SECOND = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss")
 
         fun of(
             language: String,

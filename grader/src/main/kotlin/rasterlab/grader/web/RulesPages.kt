@@ -22,7 +22,7 @@ import rasterlab.grader.rules.ExerciseRules
 import rasterlab.grader.rules.RepeatedHour
 import rasterlab.grader.rules.RuleChange
 import rasterlab.grader.rules.RuleField
-import java.util.Locale
+import rasterlab.grader.rules.said
 
 /** Shows instructors what a course rules for an exercise, and takes their changes. */
 fun Route.rulesPages(
@@ -113,7 +113,8 @@ internal class RulesDesk(
                 a("$address/regrade") { +texts.say("regrade.heading") }
             }
             (RepeatedHour.among(held) + extensions.flatMap { RepeatedHour.among(held.zone, it.name to it.due) })
-                .forEach { p("plan") { +it.said(Locale.forLanguageTag(texts.language)) } }
+                .said(texts.language)
+                .forEach { p("plan") { +it } }
             rulesForm(texts, address, held, typed)
             extensionForms(texts, address, courses.students(course.id).orEmpty(), extensions, held, typed)
         }

@@ -26,6 +26,7 @@ import rasterlab.grader.one
 import rasterlab.grader.printedBy
 import rasterlab.grader.sendForm
 import rasterlab.grader.text
+import rasterlab.grader.web.PageTexts
 import java.nio.file.Path
 import java.time.Instant
 
@@ -156,6 +157,26 @@ class ClockChangesTest {
                 assertFalse("UTC" in shown, "${place.second}: $shown")
             }
         }
+
+    @Test
+    @DisplayName("a course counts as several zones on pages of all courses, or courses of different zones as one")
+    fun tellsTheZoneOfEachCourse() =
+        classroom().open(grades = false) {
+            val mixed = newCourse()
+            val due = "2027-03-01T23:59"
+            rule(mixed, """{"deadline":"$due","zone":"Europe/Berlin"}""")
+            val id = one("SELECT id FROM courses WHERE code = '$mixed'")
+            val times = listOf("opens" to due, "closes" to "2027-03-02T01:59", "zone" to "Europe/Moscow")
+            val exam = (EXAM.toMap() + times).toList().formUrlEncode()
+            assertEquals(302, sendForm("/instructor/courses/$id/exams", exam).status.value)
+            newCourse()
+            val audit = "/instructor/audit"
+            assertTrue(told("Europe/Berlin") in page(instructor, audit), page(instructor, audit))
+            rule(newCourse(), """{"deadline":"$due","zone":"Europe/Moscow"}""")
+            assertTrue(told("UTC") in page(instructor, audit), page(instructor, audit))
+        }
+
+    private fun told(zone: String) = PageTexts.of("en").say("audit.about", zone)
 
     private suspend fun Visit.handIn(token: String) = submit(token, "class Dot {}").json()
 

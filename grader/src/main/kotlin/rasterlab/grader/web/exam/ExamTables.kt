@@ -27,15 +27,13 @@ import rasterlab.grader.exam.ExamEvent
 import rasterlab.grader.exam.SeatedStudent
 import rasterlab.grader.exam.SittingState
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.rules.said
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.respondPage
 import rasterlab.grader.web.scrolling
 import rasterlab.grader.web.texts
+import rasterlab.grader.web.unbrokenTimes
 import java.time.Instant
-import java.time.format.DateTimeFormatter
-import java.util.Locale
-
-private val SECONDS = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss")
 
 /** The page of one exam: who works on it, and its protocol. */
 internal suspend fun ApplicationCall.respondExam(
@@ -55,8 +53,8 @@ internal suspend fun ApplicationCall.respondExam(
                 a("/instructor/exams/${exam.id}/change") { +texts.say("exams.change") }
             }
         }
-        p { +texts.said(exam) }
-        exam.repeatedHours().forEach { p("plan") { +it.said(Locale.forLanguageTag(texts.language)) } }
+        p { unbrokenTimes(texts.said(exam)) }
+        exam.repeatedHours().said(texts.language).forEach { p("plan") { +it } }
         p { +exam.exercises.joinToString { exercises.find(it)?.title(texts.language) ?: it } }
         val from = exam.addresses.text
         p { +if (from.isEmpty()) texts.say("exams.from.any") else texts.say("exams.from", from) }
@@ -109,7 +107,7 @@ private fun FlowContent.students(
         tr {
             td { +seat.name }
             td { +texts.say("exams.state.${sitting.state(now).code}") }
-            td { +sitting.ends?.let { SECONDS.format(it.atZone(texts.zone)) }.orEmpty() }
+            td { +sitting.ends?.let { texts.second(it) }.orEmpty() }
             td { +sitting.address.orEmpty() }
             td { if (who is Identity.Instructor) extra(texts, exam, seat) else +"${sitting.extra}" }
             td { if (sitting.session != null && sitting.ended == null) release(texts, exam, seat) }
@@ -154,7 +152,7 @@ private fun FlowContent.protocol(
 ) = columns(texts, listOf("time", "student", "event", "from.address", "detail")) {
     events.forEach { event ->
         tr {
-            td { +SECONDS.format(event.at.atZone(texts.zone)) }
+            td { +texts.second(event.at) }
             td { +event.name }
             td { +texts.say("exams.event.${event.kind}") }
             td { +event.address }
