@@ -18,7 +18,8 @@ internal data class KeptCorrection(
 )
 
 /**
- * A change as it is kept, so that the same roster sent again is answered in the same way; the rest stands in the roster.
+ * A change as it is kept, so that the same roster sent again is answered in the same way; the rest stands in the
+ * roster.
  *
  * @param added ids of those who came, by the line of the roster
  * @param missing ids of those who are not in the roster
@@ -52,10 +53,7 @@ internal data class KeptRosterChange(
             },
             corrected.map { one ->
                 val row = rows.getValue(one.line)
-                val changes =
-                    one.before.map { (field, before) ->
-                        FieldChange(field, before, row.fields.getValue(field))
-                    }
+                val changes = one.before.map { (field, old) -> FieldChange(field, old, row.fields.getValue(field)) }
                 val known = byId[one.student]?.fields.orEmpty()
                 RosterCorrection(one.student, one.from, row.name.text, changes, known)
             },
@@ -75,15 +73,8 @@ internal data class KeptRosterChange(
         ) = KeptRosterChange(
             change.added.mapNotNull { it.student }.associateBy(lines::getValue),
             change.corrected.map { one ->
-                KeptCorrection(
-                    one.student,
-                    lines.getValue(one.student),
-                    one.from,
-                    one.changes.associate {
-                        it.field to
-                            it.from
-                    },
-                )
+                val before = one.changes.associate { it.field to it.from }
+                KeptCorrection(one.student, lines.getValue(one.student), one.from, before)
             },
             change.unchanged,
             change.missing.map { it.id },

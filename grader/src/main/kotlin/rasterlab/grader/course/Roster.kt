@@ -16,7 +16,12 @@ internal data class RosterRow(
     val keys = RosterColumn.entries.filter { it.names && it.kind in fields }.map { it.kind to fields.getValue(it.kind) }
 }
 
-/** @param unused the headings of the columns that say nothing that is kept, such as marks; "#4" is the fourth, without one */
+/**
+ * A roster as rows.
+ *
+ * @param unused the headings of the columns that say nothing that is kept, such as marks; "#4" is the fourth, without
+ *     one
+ */
 internal data class RosterTable(
     val rows: List<RosterRow>,
     val unused: List<String>,

@@ -33,35 +33,15 @@ class RuleChange(
         val zone = told[RuleField.ZONE]?.let(::zone) ?: before.zone
         val after =
             ExerciseRules(
-                opens =
-                    changed(
-                        RuleField.OPENS,
-                        before.opens,
-                    ) { moment(RuleField.OPENS.code, it, zone, before.opens, begins = true) },
-                due =
-                    changed(
-                        RuleField.DEADLINE,
-                        before.due,
-                    ) { moment(RuleField.DEADLINE.code, it, zone, before.due) },
+                opens = changed(RuleField.OPENS, before.opens) { moment(code, it, zone, before.opens, begins = true) },
+                due = changed(RuleField.DEADLINE, before.due) { moment(code, it, zone, before.due) },
                 zone,
-                lateDays =
-                    changed(
-                        RuleField.LATE_DAYS,
-                        before.lateDays,
-                    ) { number(RuleField.LATE_DAYS, it, 0..MOST_DAYS) },
-                attempts =
-                    changed(RuleField.ATTEMPTS, before.attempts) {
-                        number(
-                            RuleField.ATTEMPTS,
-                            it,
-                            1..MOST_ATTEMPTS,
-                        )
-                    },
+                lateDays = changed(RuleField.LATE_DAYS, before.lateDays) { number(this, it, 0..MOST_DAYS) },
+                attempts = changed(RuleField.ATTEMPTS, before.attempts) { number(this, it, 1..MOST_ATTEMPTS) },
                 policy = told[RuleField.POLICY]?.let(::policy) ?: before.policy,
                 latePenalty =
-                    changed(RuleField.LATE_PENALTY, before.latePenalty) {
-                        number(RuleField.LATE_PENALTY, it, ExerciseRules.PERCENT)
-                    } ?: 0,
+                    changed(RuleField.LATE_PENALTY, before.latePenalty) { number(this, it, ExerciseRules.PERCENT) }
+                        ?: 0,
             )
         if (after.opens != null && after.due != null && after.opens >= after.due) {
             throw Rejection.BadRule("order", after.opens.withOffset(zone), after.due.withOffset(zone))
@@ -72,10 +52,10 @@ class RuleChange(
     private fun <T> changed(
         field: RuleField,
         before: T?,
-        read: (String) -> T,
+        read: RuleField.(String) -> T,
     ): T? {
         val text = told[field] ?: return before
-        return text.trim().takeIf { it.isNotEmpty() }?.let(read)
+        return text.trim().takeIf { it.isNotEmpty() }?.let { field.read(it) }
     }
 
     companion object {
@@ -84,8 +64,8 @@ class RuleChange(
         private val YEARS = 2000..9999
 
         /**
-         * The moment that a text means: with an offset, or a time of that zone. Of an hour that comes twice it is the one
-         * that leaves students more time.
+         * The moment that a text means: with an offset, or a time of that zone. Of an hour that comes twice it is the
+         * one that leaves students more time.
          *
          * @param field that holds it, for the message
          * @param held the moment before, which stays where the text is its time of day

@@ -44,7 +44,10 @@ private data class LikenessAnswer(
     val leftOut: List<ProgramAnswer>,
 )
 
-/** Serves what is alike to staff, of one course or of all, inside `authenticate`; and all programs to instructors, for other tools. */
+/**
+ * Serves what is alike to staff, of one course or of all, inside `authenticate`; and all programs to instructors, for
+ * other tools.
+ */
 fun Route.similarity(
     courses: Courses,
     exercises: Exercises,

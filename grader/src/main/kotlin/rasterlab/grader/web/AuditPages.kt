@@ -68,11 +68,8 @@ private fun FlowContent.subject(one: AuditEntry) {
     val name = one.subjectName ?: one.subject
     when {
         one.subjectName == null -> +name.ifEmpty { "–" }
-
         isOfSubmission(one) -> a("/submissions/${one.subject}") { +name }
-
         one.action.startsWith("regrade") -> a("/instructor/regrades/${one.subject}") { +name }
-
         else -> +name
     }
 }

@@ -135,7 +135,8 @@ class ExamInBrowserTest {
     }
 
     @Test
-    @DisplayName("a page on which a sheet was refused stays when time is over, at an address that shows nothing")
+    @DisplayName(
+            "a page on which a sheet was refused stays when time is over, at an address that shows nothing")
     void timeOverLeavesARefusedSheet() throws SQLException {
         browser.element(ANSWER).sendKeys("no number");
         browser.element(SHEET + " button").click();
@@ -148,7 +149,8 @@ class ExamInBrowserTest {
     }
 
     @Test
-    @DisplayName("a text that a window keeps alone, not as the fields of a form, stops the clock or is lost")
+    @DisplayName(
+            "a text that a window keeps alone, not as the fields of a form, stops the clock or is lost")
     void aTextKeptAloneIsTaken() {
         String page = browser.driver().getCurrentUrl();
         browser.driver()

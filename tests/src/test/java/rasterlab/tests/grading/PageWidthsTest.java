@@ -11,7 +11,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Pages with wide tables are no wider than the window: the tables are scrolled in their own box. */
+/**
+ * Pages with wide tables are no wider than the window: the tables are scrolled in their own box.
+ */
 @Tag("slow")
 class PageWidthsTest {
     private static final List<String> PAGES =
@@ -41,9 +43,13 @@ class PageWidthsTest {
                     browser.driver().get(server.address().resolve(page).toString());
                     browser.element("table.stacked tbody tr");
                     browser.screenshot("width-" + width + page.replace('/', '-'));
-                    var scrolled = (Number) browser.driver().executeScript(
-                            "return document.documentElement.scrollWidth");
-                    if (scrolled.intValue() > width) wider.add(page + " at " + width + ": " + scrolled);
+                    var scrolled =
+                            (Number)
+                                    browser.driver()
+                                            .executeScript(
+                                                    "return document.documentElement.scrollWidth");
+                    if (scrolled.intValue() > width)
+                        wider.add(page + " at " + width + ": " + scrolled);
                 }
             }
             assertEquals(List.of(), wider);
@@ -55,7 +61,8 @@ class PageWidthsTest {
         String name = "Introduction to Computer Graphics and Visualization";
         var course = instructor.post("/courses", "{\"name\":\"" + name + "\"}");
         String code = course.path("code").asText();
-        for (String student : List.of("Ada King, Countess of Lovelace", "Emmy Noether of Erlangen")) {
+        for (String student :
+                List.of("Ada King, Countess of Lovelace", "Emmy Noether of Erlangen")) {
             String joining = "{\"course\":\"" + code + "\",\"name\":\"" + student + "\"}";
             var each = instructor.as(instructor.post("/join", joining).path("token").asText());
             each.result(each.submit("line-bresenham", Solutions.source(Solutions.RIGHT)));
@@ -70,6 +77,14 @@ class PageWidthsTest {
         browser.driver()
                 .executeCdpCommand(
                         "Emulation.setDeviceMetricsOverride",
-                        Map.of("width", width, "height", 1000, "deviceScaleFactor", 1, "mobile", false));
+                        Map.of(
+                                "width",
+                                width,
+                                "height",
+                                1000,
+                                "deviceScaleFactor",
+                                1,
+                                "mobile",
+                                false));
     }
 }

@@ -343,12 +343,7 @@ private suspend fun ApplicationCall.respondCase(
             h2 { +texts.say("errors.sum") }
             p("legend") { +texts.say("errors.sum.legend") }
             val worst =
-                sum.inWords {
-                    x,
-                    y,
-                    missing,
-                    extra,
-                    ->
+                sum.inWords { x, y, missing, extra ->
                     texts.say("errors.sum.worst", coordinate(x), coordinate(y), missing, extra)
                 }
             img(
