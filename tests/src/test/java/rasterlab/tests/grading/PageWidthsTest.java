@@ -68,7 +68,7 @@ class PageWidthsTest {
             each.result(each.submit("line-bresenham", Solutions.source(Solutions.RIGHT)));
         }
         String exam =
-                "{\"name\":\"Midterm\",\"exercises\":[\"line-bresenham\"],\"minutes\":60,"
+                "{\"name\":\"Midterm\",\"exercises\":[\"line-bresenham\"],\"minutes\":60,\"grace\":0,"
                         + "\"opens\":\"2026-01-01T00:00\",\"closes\":\"2098-01-01T00:00\"}";
         instructor.post("/courses/" + course.path("course").asText() + "/exams", exam);
     }
