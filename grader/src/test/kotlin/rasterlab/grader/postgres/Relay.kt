@@ -11,7 +11,7 @@ import kotlin.concurrent.thread
 
 /**
  * A network between a process and a database, which can be cut: nothing gets through then, either way, and nobody is told.
- * What was sent meanwhile arrives when it is mended, as TCP has it.
+ * It delivers what was sent meanwhile when it is mended, as TCP does.
  *
  * @param server the address of the database
  */
