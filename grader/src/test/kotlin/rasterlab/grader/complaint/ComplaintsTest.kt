@@ -41,6 +41,7 @@ import rasterlab.grader.sendForm
 import rasterlab.grader.text
 import java.nio.file.Path
 import java.time.InstantSource
+import java.util.concurrent.CountDownLatch
 import java.util.concurrent.atomic.AtomicInteger
 
 /** A student complains about the result for a case, and staff answer, over HTTP and on the pages. */
@@ -158,13 +159,23 @@ class ComplaintsTest {
     @DisplayName("one of two complaints has to wait for the regrade of the other, or takes its points back")
     fun twoCasesAreGradedAgainAtOnce() {
         val times = AtomicInteger()
-        val grading = Grading { _, _, _, _ -> if (times.getAndIncrement() > 0) allRight() else Classroom.wrongReport() }
+        val bothAreAnswered = CountDownLatch(1)
+        val grading =
+            Grading { _, _, _, _ ->
+                if (times.getAndIncrement() == 0) {
+                    Classroom.wrongReport()
+                } else {
+                    bothAreAnswered.await()
+                    allRight()
+                }
+            }
         Classroom(folder, grading = grading, exercise = ofTwoCases()).open {
             val student = newStudent()
             val id = graded(student)
             val bodies = listOf(CASE, CASE.replace("open-case", "hidden-case"))
             val complaints = bodies.map { complain(id, it, student).json().text("id") }
             val regrades = complaints.map { answer(id, it, AGAIN, instructor).json().text("regrade") }
+            bothAreAnswered.countDown()
             regrades.forEach { look(instructor, "/api/v1/regrades/$it/events").bodyAsText() }
             val result = look(student, "/api/v1/submissions/$id").json()
             assertEquals("10", result.getValue("points").jsonObject.text("total"))
