@@ -23,6 +23,7 @@ import rasterlab.exercises.Grading
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.adjustment.Adjustments
 import rasterlab.grader.adjustment.adjustments
+import rasterlab.grader.api.apiDescription
 import rasterlab.grader.classroom.ClassFront
 import rasterlab.grader.classroom.Efforts
 import rasterlab.grader.classroom.GroupComments
@@ -291,6 +292,7 @@ class Server(
         guardExams(ExamGuard(accounts, sittings, submissions, chosen::closedTo))
         routing {
             monitoring(database, isolation, meters)
+            apiDescription()
             servePages()
             serveApi()
         }.refuseOtherMethods()

@@ -5,11 +5,6 @@ import io.ktor.http.HttpStatusCode.Companion.ServiceUnavailable
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
-import kotlinx.serialization.json.jsonObject
-import rasterlab.engine.ProductVersion
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.metrics.Meters
 import rasterlab.grader.problem.Rejection
@@ -30,7 +25,6 @@ fun Route.monitoring(
         call.respondText(ready(isolation(), call.language()))
     }
     get("/metrics") { call.respondText(meters.text(), PROMETHEUS_TEXT) }
-    get("/openapi.json") { call.respondText(openApi, ContentType.Application.Json) }
 }
 
 /**
@@ -48,11 +42,3 @@ private fun ready(
 }
 
 private val PROMETHEUS_TEXT = ContentType.parse("text/plain; version=0.0.4; charset=utf-8")
-
-/** The description that stands beside this class, with the version that the build gave the program. */
-private val openApi by lazy {
-    val text = checkNotNull(PageTexts::class.java.getResource("openapi.json")) { "openapi.json is missing" }.readText()
-    val description = Json.parseToJsonElement(text).jsonObject
-    val info = description.getValue("info").jsonObject + ("version" to JsonPrimitive(ProductVersion.text()))
-    JsonObject(description + ("info" to JsonObject(info))).toString()
-}

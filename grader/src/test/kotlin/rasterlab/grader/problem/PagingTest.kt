@@ -1,6 +1,5 @@
 package rasterlab.grader.problem
 
-import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.request.post
 import io.ktor.client.request.setBody
@@ -11,7 +10,6 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -24,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.score.Message
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
+import rasterlab.grader.api.describedApi
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.course.Name
@@ -63,17 +62,9 @@ class PagingTest {
     fun everyListHasParts() =
         Classroom(folder, more = (listOf("draw-line") + EXAMS).map(Classroom::another)).open {
             val place = place()
-            val paged =
-                client.get("/openapi.json").json().getValue("paths").jsonObject.filterValues { methods ->
-                    val parameters =
-                        methods.jsonObject["get"]
-                            ?.jsonObject
-                            ?.get("parameters")
-                            ?.jsonArray
-                            .orEmpty()
-                    parameters.any { it.jsonObject.text("name") == Paging.LIMIT }
-                }
-            assertEquals(paged.keys.map { it.removePrefix(API) }.toSet(), LISTS.keys.map(::plain).toSet())
+            val api = describedApi()
+            val paged = api.paths.keys.filter { Paging.LIMIT in api.parameters(it, "get") }
+            assertEquals(paged.map { it.removePrefix(API) }.toSet(), LISTS.keys.map(::plain).toSet())
             for ((list, key) in LISTS) {
                 val path = API + place.entries.fold(list) { filled, (name, id) -> filled.replace("{$name}", id) }
                 val token = place.getValue(if (list == "/exams") "token" else "instructor")

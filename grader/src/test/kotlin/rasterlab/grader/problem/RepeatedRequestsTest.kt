@@ -1,7 +1,6 @@
 package rasterlab.grader.problem
 
 import io.ktor.client.request.delete
-import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.request.post
 import io.ktor.client.request.setBody
@@ -13,7 +12,6 @@ import kotlinx.coroutines.async
 import kotlinx.coroutines.awaitAll
 import kotlinx.coroutines.withContext
 import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.DisplayName
@@ -23,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.Wire
+import rasterlab.grader.api.describedApi
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.field
@@ -138,17 +137,11 @@ class RepeatedRequestsTest {
     @DisplayName("a request that makes something takes no key")
     fun whateverMakesSomethingTakesAKey() =
         Classroom(folder).open(grades = false) {
+            val api = describedApi()
             val without =
-                client
-                    .get("/openapi.json")
-                    .json()
-                    .getValue("paths")
-                    .jsonObject
+                api.paths
                     .mapValues { it.value.jsonObject["post"]?.jsonObject }
-                    .filterValues { post ->
-                        val parameters = post?.get("parameters")?.jsonArray.orEmpty()
-                        post != null && parameters.none { it.jsonObject.text("name") == "Idempotency-Key" }
-                    }
+                    .filter { (path, post) -> post != null && "Idempotency-Key" !in api.parameters(path, "post") }
             assertEquals(CHANGES_ONLY, without.keys)
             val made =
                 without.filterValues { post ->

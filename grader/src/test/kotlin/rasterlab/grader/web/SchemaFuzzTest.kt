@@ -88,7 +88,7 @@ class SchemaFuzzTest {
         call: JsonNode,
         known: Map<String, List<String>>,
     ): HttpResponse {
-        val parameters = call.path("parameters").groupBy { it.path("in").asText() }
+        val parameters = call.path("parameters").map(::resolved).groupBy { it.path("in").asText() }
         var address = path
         for (one in parameters["path"].orEmpty()) {
             val name = one.path("name").asText()

@@ -1,0 +1,51 @@
+package rasterlab.grader.api
+
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.jsonObject
+
+/**
+ * What is written about the calls of the API, beside what their routes tell.
+ *
+ * @param operations by method and path, such as `GET /api/v1/courses`: summary, description, parameters outside of the
+ * path, requestBody and responses as OpenAPI has them, and `problems`, the statuses of refusals that are its own
+ * @param document all but the paths: headers, parameters and schemas
+ */
+internal class WrittenOperations(
+    val operations: Map<String, JsonObject>,
+    val document: JsonObject,
+) {
+    /** What is written about a call. */
+    fun of(name: String): JsonObject =
+        checkNotNull(operations[name]) { "$name is served, and none of ${PARTS.map { "$it.json" }} says what it does" }
+
+    companion object {
+        /** Files with the operations and the schemas that belong to one part of the API. */
+        private val PARTS =
+            listOf("machines", "courses", "students", "exercises", "class", "submissions", "regrades", "points") +
+                listOf("comments", "copies", "versions", "complaints", "exams", "platforms")
+
+        fun read(): WrittenOperations {
+            val parts = PARTS.map(::file)
+            val document = file("common")
+            val components = document.getValue("components").jsonObject
+            val schemas = all(parts, "schemas") + components.getValue("schemas").jsonObject
+            return WrittenOperations(
+                all(parts, "operations").mapValues { (_, operation) -> operation.jsonObject },
+                JsonObject(document + ("components" to JsonObject(components + ("schemas" to JsonObject(schemas))))),
+            )
+        }
+
+        private fun all(
+            parts: List<JsonObject>,
+            key: String,
+        ): Map<String, JsonElement> = parts.flatMap { it[key]?.jsonObject.orEmpty().entries }.associate { it.toPair() }
+
+        private fun file(name: String): JsonObject {
+            val place =
+                checkNotNull(WrittenOperations::class.java.getResource("$name.json")) { "$name.json is missing" }
+            return Json.parseToJsonElement(place.readText()).jsonObject
+        }
+    }
+}
