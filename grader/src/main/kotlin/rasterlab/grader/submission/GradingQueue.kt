@@ -19,7 +19,9 @@ import java.util.concurrent.TimeUnit
 /**
  * Calls a worker as often as submissions wait; whose turn it is then, [Leases] says. The scheduler's table is
  * only the doorbell: the submissions' rows say whether there is anything to do, and the sweep makes up for
- * rings that were lost. All of its times are of the steady clock, so that none is far off when the other is set.
+ * rings that were lost. Where several processes share the table, each takes rings in one statement that passes over
+ * those which another is taking. All of its times are of the steady clock, so that none is far off when the other is
+ * set.
  *
  * @param workers how many submissions are graded at the same time
  * @param presence tells others that this process is here
@@ -58,7 +60,7 @@ class GradingQueue(
             .schedulerName(SchedulerName.Fixed(name))
             .threads(workers)
             .clock { clock.instant() }
-            .pollUsingFetch(0.5, 1.0)
+            .apply { if (database.isShared) pollUsingLockAndFetch(LEAST, MOST) else pollUsingFetch(LEAST, MOST) }
             .pollingInterval(Duration.ofMillis(500))
             .enableImmediateExecution()
             .heartbeatInterval(Duration.ofSeconds(5))
@@ -253,6 +255,9 @@ class GradingQueue(
     }
 
     private companion object {
+        /** As many rings as workers are taken up at most, and more are looked for when half of these are answered. */
+        const val LEAST = 0.5
+        const val MOST = 1.0
         val GLANCE: Duration = Duration.ofMillis(50)
         val SWEEP: Duration = Duration.ofSeconds(2)
 

@@ -10,6 +10,7 @@ import rasterlab.grader.storage.PostgresAddress
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.SteadyClock
 import java.nio.file.Path
+import java.sql.Connection
 import java.time.InstantSource
 import java.util.concurrent.TimeUnit.MINUTES
 import java.util.concurrent.locks.LockSupport
@@ -84,6 +85,9 @@ class SharedCourse(
     fun heldBy(name: String): List<String> = rows("SELECT id FROM submissions WHERE lease LIKE '$name %'")
 
     fun rows(select: String): List<String> = database.read { it.createQuery(select).mapTo(String::class.java).list() }
+
+    /** Makes a connection to the database beside those of [database]. */
+    fun connection(): Connection = checkNotNull(PostgresAddress.of(address)).source(0).connection
 
     /** Reads the log of the worker of that name. */
     fun logOf(name: String): String = folder.resolve("of-$name/server.log").readText()

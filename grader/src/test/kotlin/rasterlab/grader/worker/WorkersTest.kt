@@ -107,6 +107,24 @@ class WorkersTest {
         }
 
     @Test
+    @DisplayName("a worker waits for a ring that another process is taking, and takes no other meanwhile")
+    fun passesOverARingThatAnotherTakes() =
+        SharedCourse(folder, "rings").use { course ->
+            val ada = course.student("Ada")
+            repeat(2) { course.handIn(ada) }
+            course.database.write { it.execute(RING) }
+            course.connection().use { other ->
+                other.autoCommit = false
+                other.createStatement().use { it.executeQuery("SELECT * FROM scheduled_tasks FOR UPDATE") }
+                course.worker("first")
+                course.await("expected a submission to be graded meanwhile") { course.rows(DONE).isNotEmpty() }
+                other.rollback()
+            }
+            course.awaitAllDone()
+            course.requireEachOnce()
+        }
+
+    @Test
     @DisplayName("two workers of one name, or one without a shared database, start")
     fun refusesToStart() =
         SharedCourse(folder, "refused").use { course ->
@@ -121,6 +139,12 @@ class WorkersTest {
     private companion object {
         /** Java exits with it at that signal, whatever was done before. */
         const val TERMINATED = 143
+
+        /** A ring that was due before all others. */
+        const val RING =
+            """INSERT INTO scheduled_tasks (task_name, task_instance, execution_time, picked, version)
+               VALUES ('grade', 'first of all', '2000-01-01T00:00:00Z', false, 1)"""
+        const val DONE = "SELECT id FROM submissions WHERE state = 'done'"
         const val TAKEN = "SELECT lease FROM submissions WHERE state = 'running'"
     }
 }
