@@ -30,6 +30,14 @@ import rasterlab.exercises.score.Message;
 @EnabledOnOs(OS.LINUX)
 class ControlGroupsTest {
     private static final long PROCESS = 4711;
+    private static final int KILLED = 128 + 9;
+
+    /** Takes a core for a second, then is ended. */
+    private static final String BUSY = "timeout 1 sh -c 'while :; do :; done'";
+
+    /** Tells what the kernel noted of the processor time of the shell's group. */
+    private static final String PROCESSOR_TIME =
+            "cat /sys/fs/cgroup$(sed -n s/^0:://p /proc/self/cgroup)/cpu.stat";
 
     @TempDir private Path hierarchy;
     private Path own;
@@ -149,6 +157,61 @@ class ControlGroupsTest {
         }
         assertTrue(process.waitFor(1, TimeUnit.MINUTES));
         assertFalse(Files.exists(made), "the group stays");
+    }
+
+    @Test
+    @DisplayName("a child takes more memory than the kernel may give to its group")
+    void theKernelEndsWhatTakesTooMuchMemory() throws Exception {
+        ControlGroup group = real(new GroupLimits(32L << 20, 8, 1));
+        try {
+            Process process = run(group, "/usr/bin/tail", "/dev/zero");
+            assertEquals(KILLED, process.exitValue());
+            assertTrue(group.isOutOfMemory(), "its end is not told from another");
+        } finally {
+            group.end();
+        }
+    }
+
+    @Test
+    @DisplayName("a child starts more processes than its group may have")
+    void theKernelStartsNoMoreProcesses() throws Exception {
+        ControlGroup group = real(new GroupLimits(256L << 20, 4, 1));
+        try {
+            Process process = run(group, "/bin/sh", "-c", "sleep 9 & sleep 9 & sleep 9 & sleep 9");
+            assertTrue(process.exitValue() != 0, "all were started");
+        } finally {
+            group.end();
+        }
+    }
+
+    @Test
+    @DisplayName("a child runs on more cores than its group may")
+    void theKernelHoldsBackWhatRunsOnTooManyCores() throws Exception {
+        assumeTrue(Runtime.getRuntime().availableProcessors() > 1, "there is one core");
+        ControlGroup group = real(new GroupLimits(256L << 20, 16, 1));
+        try {
+            String three = BUSY + " & " + BUSY + " & " + BUSY + " & wait; ";
+            Process process = run(group, "/bin/sh", "-c", three + PROCESSOR_TIME);
+            String told = new String(process.getInputStream().readAllBytes());
+            assertTrue(told.lines().anyMatch(line -> line.matches("nr_throttled [1-9]\\d*")), told);
+        } finally {
+            group.end();
+        }
+    }
+
+    /**
+     * A group of the kernel's, below that of this process; the test is skipped where there is none.
+     */
+    private static ControlGroup real(GroupLimits limits) throws IOException {
+        FoundGroups found = ControlGroups.find();
+        assumeTrue(found.groups().isPresent(), () -> found.lacking().in("en"));
+        return found.groups().orElseThrow().make(limits);
+    }
+
+    private static Process run(ControlGroup group, String... command) throws Exception {
+        Process process = new ProcessBuilder(group.joined(List.of(command))).start();
+        assertTrue(process.waitFor(1, TimeUnit.MINUTES), "it does not end");
+        return process;
     }
 
     private Path only(String start) throws IOException {
