@@ -144,6 +144,6 @@ private const val UNKNOWN_CALLER = 401
 private const val NOTHING_THERE = 404
 private const val TOO_MANY = 429
 
-/** Not what is expected, too slow, too large, and of another type. */
+/** Refusals of a body: it is not what is expected, too slow, too large, or of another type. */
 private val BAD_BODIES = listOf(400, 408, 413, 415)
 private val LIMIT_HEADERS = listOf("RateLimit-Policy", "RateLimit-Limit", "RateLimit-Remaining", "RateLimit-Reset")

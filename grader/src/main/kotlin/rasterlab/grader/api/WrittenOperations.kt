@@ -6,7 +6,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
 
 /**
- * What is written about the calls of the API, beside what their routes tell.
+ * Texts about the calls of the API, which say what their routes do not tell.
  *
  * @param operations by method and path, such as `GET /api/v1/courses`: summary, description, parameters outside of the
  * path, requestBody and responses as OpenAPI has them, and `problems`, the statuses of refusals that are its own
@@ -16,7 +16,7 @@ internal class WrittenOperations(
     val operations: Map<String, JsonObject>,
     val document: JsonObject,
 ) {
-    /** What is written about a call. */
+    /** The text about a call. */
     fun of(name: String): JsonObject =
         checkNotNull(operations[name]) { "$name is served, and none of ${PARTS.map { "$it.json" }} says what it does" }
 

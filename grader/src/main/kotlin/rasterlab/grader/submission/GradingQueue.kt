@@ -255,9 +255,10 @@ class GradingQueue(
     }
 
     private companion object {
-        /** As many rings as workers are taken up at most, and more are looked for when half of these are answered. */
+        /** Shares of the workers: rings are taken up to the one, and looked for again below the other. */
         const val LEAST = 0.5
         const val MOST = 1.0
+
         val GLANCE: Duration = Duration.ofMillis(50)
         val SWEEP: Duration = Duration.ofSeconds(2)
 

@@ -25,7 +25,8 @@ import rasterlab.exercises.score.Message;
 
 /**
  * Control groups are made with their limits, or it is said why not. The hierarchy is a folder of
- * plain files, but where the kernel's own can be written.
+ * plain files; tests of the kernel's own are skipped where it gives no part of it, as it does to
+ * {@code systemd-run --pipe -p Delegate="memory pids cpu" ./mvnw …}.
  */
 @EnabledOnOs(OS.LINUX)
 class ControlGroupsTest {
