@@ -81,8 +81,54 @@ class AnswerTricksTest {
                                 + " java.util.Arrays.fill(kept, 7); }\nkept = weights;\n");
         source = source.replace("implements FaceShader {", "implements FaceShader {" + FIELD);
         Report report = JUDGE.grade(shading, source, CaseSelection.open());
-        String said =
-                report.cases().stream().map(CaseReport::message).collect(Collectors.joining("\n"));
-        assertEquals(GradingVerdict.OK, report.verdict(), said + report.diagnostics());
+        assertEquals(GradingVerdict.OK, report.verdict(), () -> messages(report));
+    }
+
+    @Test
+    @DisplayName("an array that is changed after it was returned counts as it is then")
+    void anAnswerThatIsChangedLaterCountsAsItWas() throws Exception {
+        Exercise shading = Catalogue.builtIn().named("shade-face");
+        String model = shading.evidence().model().orElseThrow();
+        String head = "public double[] shade(LitFace face, double[] weights) {";
+        assertTrue(model.contains(head), model);
+        String source =
+                model.replace(
+                        head,
+                        head
+                                + "\nif (kept != null) java.util.Arrays.fill(kept, 7);\n"
+                                + "return kept = answer(face, weights);\n}\n"
+                                + "private static double[] answer(LitFace face, double[] weights) {");
+        source = source.replace("implements FaceShader {", "implements FaceShader {" + FIELD);
+        Report report = JUDGE.grade(shading, source, CaseSelection.open());
+        assertEquals(GradingVerdict.OK, report.verdict(), () -> messages(report));
+    }
+
+    @Test
+    @DisplayName("minus nought is wrong where nought is right")
+    void minusNoughtCountsAsNought() throws Exception {
+        Exercise color = Catalogue.builtIn().named("color");
+        String model = color.evidence().model().orElseThrow();
+        String right = "return fromRgb(to, toRgb(from, components));";
+        assertTrue(model.contains(right), model);
+        String source =
+                model.replace(
+                        right,
+                        """
+                        double[] answer = fromRgb(to, toRgb(from, components));
+                        for (int i = 0; i < answer.length; i++)
+                            if (answer[i] == 0) {
+                                System.out.print("nought ");
+                                answer[i] = -0.0;
+                            }
+                        return answer;
+                        """);
+        Report report = JUDGE.grade(color, source, CaseSelection.open());
+        assertEquals(GradingVerdict.OK, report.verdict(), () -> messages(report));
+        assertTrue(messages(report).contains("nought "), "no case has a nought");
+    }
+
+    private static String messages(Report report) {
+        return report.cases().stream().map(CaseReport::message).collect(Collectors.joining("\n"))
+                + report.diagnostics();
     }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import static rasterlab.exercises.Sources.method;
 
+import java.time.Duration;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -20,6 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Sources;
 import rasterlab.exercises.runner.process.Child;
 import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.TimeLimit;
 import rasterlab.exercises.score.Report;
 
 /** Attacks by their names: as they are refused, and as they end where nothing refused them. */
@@ -28,6 +30,14 @@ class AttackNamesTest {
     @RegisterExtension
     static final StartedJudge JUDGE =
             new StartedJudge(JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF));
+
+    /** An endless call is stopped as well after less processor time. */
+    @RegisterExtension
+    static final StartedJudge STRICT =
+            new StartedJudge(
+                    OtherSettings.withCallLimit(
+                            Duration.ofMillis(500),
+                            JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF)));
 
     private static Unscanned unscanned;
 
@@ -65,6 +75,12 @@ class AttackNamesTest {
                         "Object o = new Object(); synchronized (o) { o.wait(); }"),
                 used("library of machine code", "java.lang.System.load", "System.load(\"/a\");"),
                 used("environment", "java.lang.System.getenv", "System.getenv();"),
+                argumentSet(
+                        "object that reads itself",
+                        "the class java.io.ObjectInputStream is",
+                        Sources.RIGHT
+                                + "class G implements java.io.Serializable {"
+                                + " private void readObject(java.io.ObjectInputStream in) { } }\n"),
                 used(
                         "private members made accessible",
                         "java.lang.Class.getDeclaredMethods",
@@ -73,6 +89,15 @@ class AttackNamesTest {
 
     static Stream<Arguments> classes() {
         return Stream.of(
+                type(
+                        "shutdown hook",
+                        "java.lang.Runtime",
+                        "Runtime.getRuntime().addShutdownHook(null);"),
+                type(
+                        "thread that outlives its call",
+                        "java.lang.Thread",
+                        "new Thread(() -> { while (true); }).start();"),
+                type("sleep that makes it look steady", "java.lang.Thread", "Thread.sleep(1);"),
                 type(
                         "park that nobody ends",
                         "java.util.concurrent.locks.LockSupport",
@@ -102,6 +127,24 @@ class AttackNamesTest {
                         "variable handles",
                         "java.lang.invoke.VarHandle",
                         "java.lang.invoke.VarHandle.fullFence();"),
+                type(
+                        "lambda factory called by hand",
+                        "java.lang.invoke.LambdaMetafactory",
+                        "java.lang.invoke.LambdaMetafactory.metafactory("
+                                + "null, null, null, null, null, null);"),
+                type(
+                        "memory by its address",
+                        "sun.misc.Unsafe",
+                        "sun.misc.Unsafe.getUnsafe().allocateMemory(1);"),
+                type(
+                        "agent that changes classes",
+                        "java.lang.instrument.Instrumentation",
+                        "java.lang.instrument.Instrumentation i = null; i.getAllLoadedClasses();"),
+                type(
+                        "class made of bytes",
+                        "java.lang.ClassLoader",
+                        "new ClassLoader() { void make() { defineClass(\"A\", new byte[0], 0, 0); }"
+                                + " }.make();"),
                 type(
                         "class loader of its own",
                         "java.lang.ClassLoader",
@@ -138,6 +181,73 @@ class AttackNamesTest {
         return "try { " + code + " } catch (Exception e) { }\n";
     }
 
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource({"greedy", "hidden"})
+    void isAnsweredWith(String verdict, String said, String source) throws Exception {
+        HostileSourcesTest.assertAnswer(verdict, said, STRICT.grade(source));
+    }
+
+    static Stream<Arguments> greedy() {
+        String hog = "{ var all = new java.util.ArrayList<long[]>(); while (true) all.add(%s); }\n";
+        String filled = hog.formatted("new long[1 << 20]");
+        return Stream.of(
+                argumentSet(
+                        "endless loop that goes on in its finally block",
+                        "time_limit",
+                        "no answer",
+                        method("while (true) try { x0 = 1 / (y0 - y0); } finally { continue; }\n")),
+                argumentSet("heap filled", "memory_limit", "out of memory", method(filled)),
+                argumentSet(
+                        "heap filled where the object is printed, compared or hashed",
+                        "ok",
+                        "",
+                        Sources.RIGHT.replace(
+                                "public void",
+                                "public int hashCode() "
+                                        + filled
+                                        + "public boolean equals(Object o) { return hashCode() == 0; }\n"
+                                        + "public String toString() { return \"\" + hashCode(); }\n"
+                                        + "public void")),
+                argumentSet(
+                        "recursion whose overflow is caught in a loop",
+                        "time_limit",
+                        "no answer",
+                        method(
+                                "while (true) try { draw(x0, y0, x1, y1, out); }"
+                                        + " catch (StackOverflowError e) { }\n")),
+                argumentSet(
+                        "endless print to the standard error",
+                        "output_limit",
+                        "too much output",
+                        method("while (true) System.err.print(\"xxxxxxxxxxxxxxxxxxxxxxx\");\n")),
+                argumentSet(
+                        "printStackTrace loops",
+                        "runtime_error",
+                        "Mine$1",
+                        method(
+                                "throw new RuntimeException()"
+                                        + " { public void printStackTrace() { while (true); } };\n")));
+    }
+
+    static Stream<Arguments> hidden() {
+        return Stream.of(
+                argumentSet(
+                        "class called as one of the harness",
+                        "ok",
+                        "",
+                        Sources.RIGHT + "class RunMain { }\nclass Wire { }\n"),
+                argumentSet(
+                        "memory of a module that is being tried out",
+                        "compile_error",
+                        "jdk.incubator.foreign",
+                        method("jdk.incubator.foreign.MemorySegment memory = null;\n")),
+                argumentSet(
+                        "call hidden in Unicode escapes",
+                        "refused",
+                        "5:0 java.lang.System.exit",
+                        method("\\u0053ystem.ex\\u0069t(0);\n")));
+    }
+
     @ParameterizedTest(name = "{argumentSetName}, past the check")
     @MethodSource("waiting")
     void isStopped(String code) throws Exception {
@@ -158,6 +268,15 @@ class AttackNamesTest {
                 argumentSet(
                         "park that nobody ends",
                         "while (true) java.util.concurrent.locks.LockSupport.park();"),
+                argumentSet(
+                        "deadlock of two threads",
+                        "Object a = new Object(), b = new Object();"
+                                + " var both = new java.util.concurrent.CountDownLatch(2);"
+                                + " new Thread(() -> { synchronized (a) { both.countDown();"
+                                + " try { both.await(); } catch (InterruptedException e) { }"
+                                + " synchronized (b) { } } }).start();"
+                                + " synchronized (b) { both.countDown(); both.await();"
+                                + " synchronized (a) { } }"),
                 argumentSet("read of standard input", "while (true) System.in.read(new byte[9]);"));
     }
 
@@ -174,7 +293,7 @@ class AttackNamesTest {
     }
 
     @Test
-    @DisplayName("memory outside of the heap is given without end")
+    @DisplayName("direct buffers outside of the heap are given without end")
     void memoryOutsideOfTheHeapIsLimited() throws Exception {
         String hog = "java.nio.ByteBuffer.allocateDirect(64 << 20);\n";
         String thrown;
@@ -184,6 +303,40 @@ class AttackNamesTest {
             thrown = lost.reason() == ChildLost.LossReason.MEMORY ? "OutOfMemoryError" : "" + lost;
         }
         assertTrue(thrown.contains("OutOfMemoryError"), thrown);
+    }
+
+    /** 100,000 classes take about 15 MB of the heap and twice the limit of their own memory. */
+    @Test
+    @DisplayName("memory for classes that are made at run time is given without end")
+    void memoryForClassesIsLimited() {
+        String hog =
+                """
+                class Maker extends ClassLoader {
+                    void make(int number) throws java.io.IOException {
+                        var bytes = new java.io.ByteArrayOutputStream();
+                        var out = new java.io.DataOutputStream(bytes);
+                        out.writeInt(0xCAFEBABE);
+                        out.writeInt(52);
+                        out.writeShort(5);
+                        out.write(new byte[] {7, 0, 2, 1});
+                        out.writeUTF("C" + number);
+                        out.write(new byte[] {7, 0, 4, 1});
+                        out.writeUTF("java/lang/Object");
+                        out.write(new byte[] {0, 32, 0, 1, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0});
+                        defineClass(null, bytes.toByteArray(), 0, bytes.size());
+                    }
+                }
+                Maker maker = new Maker();
+                for (int i = 0; i < 100_000; i++) maker.make(i);
+                """;
+        ChildLost lost =
+                assertThrows(
+                        ChildLost.class,
+                        () ->
+                                unscanned.draw(
+                                        method(guarded(hog)),
+                                        TimeLimit.wall(Duration.ofMinutes(2))));
+        assertEquals(ChildLost.LossReason.MEMORY, lost.reason(), lost::getMessage);
     }
 
     @Test
@@ -211,10 +364,11 @@ class AttackNamesTest {
     }
 
     @Test
-    @DisplayName("60,000 errors fill the page")
+    @DisplayName("100,000 errors fill the page")
     void errorsAreCutOff() throws Exception {
-        Report report = JUDGE.gradeInChildren(method("x;\n".repeat(60_000)));
+        Report report = JUDGE.gradeInChildren(method("x;".repeat(100_000)));
         assertEquals("compile_error", report.verdict().code());
+        assertTrue(report.diagnostics().toString().length() <= 10_000, "a text is not cut");
         assertTrue(report.diagnostics().size() <= 21, () -> "" + report.diagnostics().size());
     }
 

@@ -2,6 +2,7 @@ package rasterlab.exercises.runner;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import static rasterlab.exercises.Sources.method;
@@ -19,11 +20,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.line.ExactLine;
+import rasterlab.exercises.child.RunMain;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.runner.process.Child;
 import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.runner.process.Request;
-import rasterlab.exercises.score.Answer;
 
 /** A method that got past the byte-code check can do nothing to the parent but lose. */
 @Tag("slow")
@@ -61,6 +63,11 @@ class ChildTest {
                 "java.io.OutputStream raw = new java.io.FileOutputStream(java.io.FileDescriptor.out);";
         return Stream.of(
                 argumentSet("exits", ChildLost.LossReason.ENDED, "System.exit(0);"),
+                argumentSet(
+                        "exits in a static initialiser",
+                        ChildLost.LossReason.ENDED,
+                        "class Late { static int zero = Integer.signum(0);"
+                                + " static { if (zero == 0) System.exit(0); } } new Late();"),
                 argumentSet("halts", ChildLost.LossReason.ENDED, "Runtime.getRuntime().halt(0);"),
                 argumentSet(
                         "ends as if it were killed",
@@ -104,6 +111,13 @@ class ChildTest {
     }
 
     @Test
+    void anExceptionThatExitsWhereItIsToldIsNamed() throws Exception {
+        String evil =
+                "throw new Error() { public String getMessage() { System.exit(0); return null; } };";
+        assertEquals("Mine$1", unscanned.draw(method(evil + "\n")).thrown());
+    }
+
+    @Test
     void aKilledChildIsToldApartFromOneThatEnded() throws Exception {
         try (Child child = unscanned.child(ChildKind.RUN)) {
             child.handle().destroyForcibly();
@@ -137,23 +151,65 @@ class ChildTest {
         }
     }
 
+    @ParameterizedTest(name = "{argumentSetName} keeps it from answering")
+    @MethodSource("errorStreams")
+    void answersInSpiteOf(String body) throws Exception {
+        String raw =
+                "java.io.OutputStream raw = new java.io.FileOutputStream(java.io.FileDescriptor.err);";
+        assertEquals("", unscanned.draw(method(guarded(raw + body))).thrown());
+    }
+
+    static Stream<Arguments> errorStreams() {
+        return Stream.of(
+                argumentSet(
+                        "a megabyte on the standard error of the process",
+                        "raw.write(new byte[1 << 20]);"),
+                argumentSet("the standard error of the process, closed,", "raw.close();"));
+    }
+
+    /** A read that waits may still take what comes next, so it is asked more than once. */
     @Test
-    void theHarnessIsNotOnTheStudentsClassPath() throws Exception {
-        Answer answer =
-                unscanned.draw(
-                        method(guarded("Class.forName(\"rasterlab.exercises.child.RunMain\");")));
+    void aChildThatClosedItsInputHoldsNobodyUp() throws Exception {
+        String close = "new java.io.FileInputStream(java.io.FileDescriptor.in).close();";
+        try (Child child = unscanned.child(ChildKind.RUN)) {
+            ChildLost lost =
+                    assertThrows(
+                            ChildLost.class,
+                            () -> {
+                                unscanned.draw(child, method(guarded(close)));
+                                for (int i = 0; i < 3; i++)
+                                    child.ask(
+                                            new Request(Wire.PING, out -> {}),
+                                            Duration.ofMinutes(2),
+                                            (status, in) -> status);
+                            });
+            assertNotEquals(ChildLost.LossReason.TIME, lost.reason(), lost::getMessage);
+            assertFalse(child.isAlive(), "the child outlived its loss");
+        }
+    }
+
+    @ParameterizedTest(name = "{argumentSetName} is on the class path of the student")
+    @MethodSource("ours")
+    void isNotOnTheStudentsClassPath(Class<?> ours) throws Exception {
+        String load = "Class.forName(\"%s\");".formatted(ours.getName());
         assertEquals(
-                "java.lang.RuntimeException: java.lang.ClassNotFoundException:"
-                        + " rasterlab.exercises.child.RunMain",
-                answer.thrown());
+                "java.lang.RuntimeException: java.lang.ClassNotFoundException: " + ours.getName(),
+                unscanned.draw(method(guarded(load))).thrown());
+    }
+
+    static Stream<Arguments> ours() {
+        return Stream.of(
+                argumentSet("the harness", RunMain.class),
+                argumentSet("the reference solution", ExactLine.class));
     }
 
     @Test
     void theEnvironmentIsEmpty() throws Exception {
-        Answer answer =
-                unscanned.draw(
-                        method("throw new RuntimeException(\"\" + System.getenv(\"PATH\"));\n"));
-        assertEquals("java.lang.RuntimeException: null", answer.thrown());
+        String names =
+                "var names = new java.util.TreeSet<>(System.getenv().keySet());"
+                        + " names.removeIf(one -> !one.matches(\"PATH|(JAVA|_JAVA|JDK).*\"));"
+                        + " throw new IllegalStateException(\"\" + names);\n";
+        assertEquals("java.lang.IllegalStateException: []", unscanned.draw(method(names)).thrown());
     }
 
     @Test

@@ -48,6 +48,16 @@ class CompilerAttacksTest {
                         + "<T> T pair(java.util.concurrent.Callable<T> one) { return null;";
         return Stream.of(
                 argumentSet(
+                        "20,000 nested parentheses",
+                        "compile_error",
+                        "too complex",
+                        method(
+                                "int a = "
+                                        + "(".repeat(20_000)
+                                        + "x0"
+                                        + ")".repeat(20_000)
+                                        + ";\n")),
+                argumentSet(
                         "24 nested finally blocks double the code 24 times",
                         "compile_error",
                         "too complex",

@@ -114,7 +114,7 @@ class ForbiddenUsesTest {
         return USES.stream();
     }
 
-    @ParameterizedTest
+    @ParameterizedTest(name = "{0}")
     @MethodSource("uses")
     void isToldAtItsLine(Use use) {
         int line = FIRST_LINE + USES.indexOf(use);

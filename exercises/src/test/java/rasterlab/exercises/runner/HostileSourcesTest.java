@@ -56,8 +56,10 @@ class HostileSourcesTest {
         assertAnswer(verdict, said, STRICT.grade(source));
     }
 
-    private static void assertAnswer(String verdict, String said, Report report) {
+    /** The verdict, the words, fewer points than for a right method, and no process that stays. */
+    static void assertAnswer(String verdict, String said, Report report) {
         assertEquals(verdict, report.verdict().code(), () -> words(report));
+        assertEquals(0, ProcessHandle.current().descendants().count(), "processes are left");
         assertTrue(words(report).contains(said), () -> said + " is not in " + words(report));
         if (report.verdict() != GradingVerdict.OK)
             assertTrue(report.points().total() < report.points().of(), () -> words(report));
@@ -301,7 +303,11 @@ class HostileSourcesTest {
                         "output_limit",
                         "too much output",
                         method("while (true) try { out.plot(0, 0); } catch (Throwable e) { }\n")),
-                argumentSet("memory hog", "memory_limit", "out of memory", method(hog)),
+                argumentSet(
+                        "heap filled, the error caught and ignored",
+                        "memory_limit",
+                        "out of memory",
+                        method(hog)),
                 argumentSet(
                         "largest array",
                         "memory_limit",

@@ -10,9 +10,7 @@ import static rasterlab.exercises.Sources.method;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -90,19 +88,14 @@ class NeighborAttacksTest {
         assertTrue(thrown.matches("(?s).*(NoSuchFile|FileSystem|AccessDenied).*"), thrown);
     }
 
-    @Test
-    @DisplayName("a bomb of threads takes the server's threads, or outlives its call")
-    void aBombOfThreadsEndsWithItsCall() throws Exception {
-        String bomb =
-                "for (int i = 0; i < 5_000; i++) new Thread(() -> {"
-                        + " while (true) try { Thread.sleep(100_000); }"
-                        + " catch (InterruptedException e) { } }).start();\n"
-                        + "while (true);\n";
+    @ParameterizedTest(name = "{argumentSetName} takes the server's threads, or outlives its call")
+    @MethodSource("bombs")
+    void aBombOfThreadsEndsWithItsCall(String bomb) throws Exception {
         int before = Thread.activeCount();
         try (Child runner = unscanned.child(ChildKind.RUN)) {
             String ended;
             try {
-                ended = unscanned.draw(runner, method(bomb)).thrown();
+                ended = unscanned.draw(runner, method(bomb + "while (true);\n")).thrown();
             } catch (ChildLost lost) {
                 ended = "" + lost.reason();
                 assertFalse(runner.isAlive(), "the child outlived its loss");
@@ -111,5 +104,24 @@ class NeighborAttacksTest {
         }
         assertEquals("", unscanned.draw(method("out.plot(x0, y0);\n")).thrown());
         assertTrue(Thread.activeCount() <= before + 4, () -> Thread.activeCount() + " threads");
+    }
+
+    static Stream<Arguments> bombs() {
+        return Stream.of(
+                argumentSet(
+                        "a bomb of 5,000 threads",
+                        "for (int i = 0; i < 5_000; i++) new Thread(() -> {"
+                                + " while (true) try { Thread.sleep(100_000); }"
+                                + " catch (InterruptedException e) { } }).start();\n"),
+                argumentSet(
+                        "a bomb of threads that start more",
+                        "class Bomb extends Thread { public void run() {"
+                                + " while (true) try { new Bomb().start(); }"
+                                + " catch (Throwable e) { } } }\n"
+                                + "new Bomb().start();\n"),
+                argumentSet(
+                        "a bomb of threads that start another as they end",
+                        "class Heir extends Thread { public void run() { new Heir().start(); } }\n"
+                                + "for (int i = 0; i < 50; i++) new Heir().start();\n"));
     }
 }

@@ -67,6 +67,19 @@ class SpeedTest {
         assertEquals(GradingVerdict.OK, speed(report).verdict(), speed(report)::message);
     }
 
+    /**
+     * A method that keeps its answers gains nothing by it: it draws wrong where an input returns.
+     */
+    @Test
+    void noInputIsTimedTwice() throws Exception {
+        String keeping = "if (n == 1001 && !seen.add(java.util.List.of(x0, y0, x1, y1))) x++;";
+        String field =
+                "static java.util.Set<java.util.List<Integer>> seen = new java.util.HashSet<>();";
+        String source = drawing(keeping).replace("public void", field + "\npublic void");
+        CaseReport speed = speed(report(source));
+        assertEquals(GradingVerdict.OK, speed.verdict(), speed::message);
+    }
+
     @Test
     void wrongPixelsOnTheLongLinesAreNamed() throws Exception {
         CaseReport speed = speed(report(drawing("if (n == 1001) x++;")));

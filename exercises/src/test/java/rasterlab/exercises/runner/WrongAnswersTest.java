@@ -126,6 +126,20 @@ class WrongAnswersTest {
                         "is -Infinity, right is ",
                         "-Infinity"),
                 of(
+                        "a segment to a giant number",
+                        "clip-segment",
+                        "out.segment(x0, y0, 1e300, y1);",
+                        "wrong",
+                        "1E+300",
+                        "1E+300"),
+                of(
+                        "a segment to the least number above nought",
+                        "clip-segment",
+                        "out.segment(x0, y0, Double.MIN_VALUE, Double.MIN_VALUE);",
+                        "wrong",
+                        "E-324",
+                        "E-324"),
+                of(
                         "a sink of nobody",
                         "clip-segment",
                         "((SegmentSink) null).segment(x0, y0, x1, y1);",

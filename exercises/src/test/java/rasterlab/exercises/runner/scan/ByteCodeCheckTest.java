@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.objectweb.asm.Opcodes.ACC_ABSTRACT;
 import static org.objectweb.asm.Opcodes.ACC_INTERFACE;
 import static org.objectweb.asm.Opcodes.ACC_PUBLIC;
+import static org.objectweb.asm.Opcodes.H_INVOKESTATIC;
 import static org.objectweb.asm.Opcodes.INVOKESPECIAL;
 import static org.objectweb.asm.Opcodes.RETURN;
 import static org.objectweb.asm.Opcodes.V17;
@@ -13,9 +14,11 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.Handle;
 import org.objectweb.asm.MethodVisitor;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.exercises.score.Diagnostic;
@@ -58,6 +61,15 @@ class ByteCodeCheckTest {
                 refused(OBJECT, "hashCode", "()I"));
     }
 
+    @Test
+    @DisplayName("a call is bound to its method by a method of the student's own")
+    void anotherBootstrapIsRefused() {
+        var own = new Handle(H_INVOKESTATIC, "Caller", "bind", "()V", false);
+        assertEquals(
+                List.of("Caller.bind is not allowed in this exercise"),
+                refused(code -> code.visitInvokeDynamicInsn("run", "()V", own)));
+    }
+
     private void add(String name, int access, String parent, String... interfaces) {
         ClassWriter writer = new ClassWriter(0);
         writer.visit(V17, ACC_PUBLIC | access, name, null, parent, interfaces);
@@ -71,11 +83,16 @@ class ByteCodeCheckTest {
     }
 
     private List<String> refused(String type, String method, String descriptor) {
+        return refused(
+                code -> code.visitMethodInsn(INVOKESPECIAL, type, method, descriptor, false));
+    }
+
+    private List<String> refused(Consumer<MethodVisitor> calling) {
         ClassWriter writer = new ClassWriter(0);
         writer.visit(V17, ACC_PUBLIC, "Caller", null, OBJECT, null);
         MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "call", "()V", null, null);
         code.visitCode();
-        code.visitMethodInsn(INVOKESPECIAL, type, method, descriptor, false);
+        calling.accept(code);
         code.visitInsn(RETURN);
         code.visitMaxs(1, 1);
         code.visitEnd();
