@@ -1,5 +1,11 @@
 package rasterlab.grader.course
 
+import com.nimbusds.jose.JWSAlgorithm
+import com.nimbusds.jose.JWSHeader
+import com.nimbusds.jose.crypto.MACSigner
+import com.nimbusds.jwt.JWTClaimsSet
+import com.nimbusds.jwt.PlainJWT
+import com.nimbusds.jwt.SignedJWT
 import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.request.post
@@ -23,6 +29,7 @@ import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.query
 import java.nio.file.Path
+import java.util.Date
 
 /** Attacks by names and by tokens: a name is a value, and who is out stays out. */
 @Tag("slow")
@@ -43,6 +50,15 @@ class NameAttacksTest {
             newStudent(course)
             assertEquals(201, join(course, name).status.value)
             assertEquals(setOf("Ada", name.replace("\\\\", "\\")), names().toSet(), "names of the course")
+        }
+
+    @Test
+    @DisplayName("a name that can be written in two ways is two names")
+    fun aNameIsWrittenInOneWay() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            assertEquals(201, join(course, "Zoe\u0308").status.value)
+            assertEquals(listOf("Zo\u00EB"), names())
         }
 
     @Test
@@ -74,7 +90,11 @@ class NameAttacksTest {
         }
 
     @ParameterizedTest(name = "a token is altered: {0}")
-    @ValueSource(strings = ["upper case", "cut", "longer", "unsigned JWT"])
+    @ValueSource(
+        strings = [
+            "upper case", "cut", "longer", "unsigned JWT", "JWT of another role", "JWT of another key", "expired JWT",
+        ],
+    )
     fun anAlteredTokenOpensNothing(how: String) =
         Classroom(folder).open(grades = false) {
             val token = newStudent()
@@ -83,10 +103,23 @@ class NameAttacksTest {
                     "upper case" -> token.uppercase()
                     "cut" -> token.dropLast(1)
                     "longer" -> token + "a"
-                    else -> "eyJhbGciOiJub25lIn0.eyJyb2xlIjoiaW5zdHJ1Y3RvciJ9."
+                    "unsigned JWT" -> PlainJWT(claims(token).build()).serialize()
+                    "JWT of another role" -> signed(claims(token).claim("role", "instructor"), token.repeat(2))
+                    "JWT of another key" -> signed(claims(token), "a key of the sender's own choice, long enough")
+                    else -> signed(claims(token).expirationTime(Date(0)), token.repeat(2))
                 }
             look(altered, "/api/v1/exercises").assertProblem(401, "not-signed-in")
         }
+
+    private fun claims(token: String) = JWTClaimsSet.Builder().subject(token).claim("role", "student")
+
+    private fun signed(
+        claims: JWTClaimsSet.Builder,
+        key: String,
+    ): String =
+        SignedJWT(JWSHeader(JWSAlgorithm.HS256), claims.build())
+            .apply { sign(MACSigner(key.encodeToByteArray())) }
+            .serialize()
 
     private suspend fun Visit.join(
         course: String,

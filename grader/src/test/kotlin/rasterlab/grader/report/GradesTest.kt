@@ -37,7 +37,10 @@ class GradesTest {
                     """Student,ID,SIS User ID,SIS Login ID,Section,Other (5)
                       |    Points Possible,,,,,10
                       |"Lovelace, Ada",123,S1,ada,"Graphics, autumn",7
-                      |"=1+1, Eve",124,S2,eve,Graphics,""",
+                      |"=1+1, Eve",124,S2,eve,Graphics,
+                      |+1,125,S3,bob,Graphics,
+                      |-1,126,S4,kay,Graphics,
+                      |@SUM,127,S5,dan,Graphics,""",
                 )
             hand(tokens[0])
             assertEquals(
@@ -45,6 +48,9 @@ class GradesTest {
                   |    Points Possible,,,,,10
                   |"Lovelace, Ada",123,S1,ada,"Graphics, autumn",4
                   |"'=1+1, Eve",124,S2,eve,Graphics,
+                  |'+1,125,S3,bob,Graphics,
+                  |'-1,126,S4,kay,Graphics,
+                  |'@SUM,127,S5,dan,Graphics,
                   |
                 """.trimMargin(),
                 grades(course, "?for=canvas&lang=en"),

@@ -26,6 +26,8 @@ import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.query
 import java.io.ByteArrayOutputStream
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.zip.GZIPOutputStream
@@ -64,7 +66,7 @@ class UploadAttacksTest {
             }
         }
 
-    @ParameterizedTest(name = "{argumentSetName}")
+    @ParameterizedTest(name = "an archive {argumentSetName}")
     @MethodSource("archives")
     fun anArchiveIsNoSource(
         body: ByteArray,
@@ -87,7 +89,7 @@ class UploadAttacksTest {
         Classroom(folder).run {
             open(grades = false) {
                 val answer =
-                    send(newStudent(), packed(50_000_000), "text/x-java-source") {
+                    send(newStudent(), packed(ByteArray(50_000_000) { 'a'.code.toByte() }), SOURCE) {
                         header(HttpHeaders.ContentEncoding, "gzip")
                     }
                 assertEquals("0", query(file, "SELECT count(*) FROM submissions"))
@@ -114,31 +116,95 @@ class UploadAttacksTest {
         private const val SUBMISSIONS = "/api/v1/exercises/draw-dot/submissions"
         private const val SOURCE = "text/x-java-source"
 
+        /** Where the head of a file in the table at the end of an archive has its fields. */
+        private const val SYSTEM = 5
+        private const val LENGTH = 24
+        private const val RIGHTS = 38
+        private const val PLACE = 42
+
+        /** The system whose rights those are, and two kinds of files that are none. */
+        private const val UNIX = 3
+        private const val LINK = 0xA1FF shl 16
+        private const val DEVICE = 0x61B6 shl 16
+
         @JvmStatic
         fun archives(): List<Arguments> =
             listOf(
-                argumentSet("leads out of the folder", zip("../../evil.java", 10), SOURCE, 422, "not-utf-8"),
-                argumentSet("has an absolute path", zip("/etc/cron.d/evil", 10), SOURCE, 422, "not-utf-8"),
-                argumentSet("is a bomb", zip("Mine.java", 50_000_000), SOURCE, 422, "not-utf-8"),
-                argumentSet("is called an archive", zip("Mine.java", 10), "application/zip", 415, "wrong-media-type"),
-                argumentSet("is a packed source", packed(10_000_000), SOURCE, 422, "not-utf-8"),
+                argumentSet("leads out of the folder", zip("../../evil.java"), SOURCE, 422, "not-utf-8"),
+                argumentSet("has an absolute path", zip("/etc/cron.d/evil"), SOURCE, 422, "not-utf-8"),
+                argumentSet("has a symbolic link", unix(zip("link"), LINK), SOURCE, 422, "not-utf-8"),
+                argumentSet("has a device", unix(zip("sda"), DEVICE), SOURCE, 422, "not-utf-8"),
+                argumentSet("has a hard link", packed(tarOfAHardLink()), SOURCE, 422, "not-utf-8"),
+                argumentSet("is a bomb", zip("Mine.java", size = 50_000_000), SOURCE, 422, "not-utf-8"),
+                argumentSet(
+                    "holds a bomb",
+                    zip("inner.zip", content = zip("a", size = 50_000_000)),
+                    SOURCE,
+                    422,
+                    "not-utf-8",
+                ),
+                argumentSet("tells a false size", changed(zip("a"), LENGTH, Int.MAX_VALUE), SOURCE, 422, "not-utf-8"),
+                argumentSet("has files that overlap", changed(zip("a", "b", "c"), PLACE, 0), SOURCE, 422, "not-utf-8"),
+                argumentSet("has 100,000 files", zip(*names(100_000), size = 0), SOURCE, 413, "too-large"),
+                argumentSet("is called an archive", zip("Mine.java"), "application/zip", 415, "wrong-media-type"),
+                argumentSet(
+                    "is a packed source",
+                    packed(ByteArray(10_000_000) { 'a'.code.toByte() }),
+                    SOURCE,
+                    422,
+                    "not-utf-8",
+                ),
             )
 
+        private fun names(count: Int) = Array(count) { "$it" }
+
         private fun zip(
-            name: String,
-            size: Int,
+            vararg names: String,
+            size: Int = 10,
+            content: ByteArray = ByteArray(size) { 'a'.code.toByte() },
         ): ByteArray {
             val bytes = ByteArrayOutputStream()
             ZipOutputStream(bytes).use { zip ->
-                zip.putNextEntry(ZipEntry(name))
-                zip.write(ByteArray(size) { 'a'.code.toByte() })
+                for (name in names) {
+                    zip.putNextEntry(ZipEntry(name))
+                    zip.write(content)
+                }
             }
             return bytes.toByteArray()
         }
 
-        private fun packed(size: Int): ByteArray {
+        private fun unix(
+            zip: ByteArray,
+            rights: Int,
+        ): ByteArray = changed(zip, RIGHTS, rights).also { for (head in heads(it)) it[head + SYSTEM] = UNIX.toByte() }
+
+        /** An archive with that number in a field of four bytes, for each of its files. */
+        private fun changed(
+            zip: ByteArray,
+            field: Int,
+            number: Int,
+        ): ByteArray {
+            val buffer = ByteBuffer.wrap(zip.clone()).order(ByteOrder.LITTLE_ENDIAN)
+            for (head in heads(zip)) buffer.putInt(head + field, number)
+            return buffer.array()
+        }
+
+        private fun heads(zip: ByteArray): List<Int> {
+            val signature = byteArrayOf('P'.code.toByte(), 'K'.code.toByte(), 1, 2).toList()
+            return (0..zip.size - signature.size).filter { zip.slice(it until it + signature.size) == signature }
+        }
+
+        /** The head of a file that is another name of one outside, as an archive of tar has it. */
+        private fun tarOfAHardLink() =
+            ByteArray(1_024).also { tar ->
+                "link".encodeToByteArray().copyInto(tar)
+                "1/etc/passwd".encodeToByteArray().copyInto(tar, 156)
+                "ustar".encodeToByteArray().copyInto(tar, 257)
+            }
+
+        private fun packed(content: ByteArray): ByteArray {
             val bytes = ByteArrayOutputStream()
-            GZIPOutputStream(bytes).use { it.write(ByteArray(size) { 'a'.code.toByte() }) }
+            GZIPOutputStream(bytes).use { it.write(content) }
             return bytes.toByteArray()
         }
     }
