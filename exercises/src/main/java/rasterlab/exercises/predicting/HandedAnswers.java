@@ -54,6 +54,14 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
         return new HandedAnswers(sheet.orElseThrow(), answers);
     }
 
+    /** Whether any question has an answer. */
+    public boolean isAnswered() {
+        for (int i = 0; i < answers.size(); i++)
+            for (PredictedField asked : sheet.questions().get(i).rules().asked())
+                if (answers.get(i).hasNonNull(asked.field())) return true;
+        return false;
+    }
+
     private static long seed(JsonFields fields) {
         JsonNode seed = fields.tree(SEED);
         if (!seed.isIntegralNumber()

@@ -62,14 +62,23 @@ class Sheets(
         /**
          * The seed that a sheet came with.
          *
-         * @throws Rejection.BadSheet where it cannot be read
+         * @throws Rejection.BadSheet where it cannot be read, or answers nothing
          */
         fun handedSeed(
             exercise: Exercise,
             source: String,
-        ): Long =
+        ): Long {
+            val handed = handed(exercise, source)
+            if (handed.isAnswered) return handed.sheet().seed()
+            throw Rejection.BadSheet(CatalogueException(Phrase.of("predict.unanswered", handed.answers().size)))
+        }
+
+        private fun handed(
+            exercise: Exercise,
+            source: String,
+        ): HandedAnswers =
             try {
-                HandedAnswers.of(exercise, source.removePrefix("\uFEFF")).sheet().seed()
+                HandedAnswers.of(exercise, source.removePrefix("\uFEFF"))
             } catch (invalid: CatalogueException) {
                 throw Rejection.BadSheet(invalid)
             }

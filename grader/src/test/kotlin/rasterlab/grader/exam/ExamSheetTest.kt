@@ -90,6 +90,19 @@ class ExamSheetTest {
         }
 
     @Test
+    @DisplayName("a sheet on which nothing is answered is handed in, or the exam is gone from the page that says so")
+    fun refusesASheetWithoutAnAnswer() =
+        classroom().open(grades = false) {
+            val (exam, cookie) = begun()
+            val (sheet, _) = asked(seen(exam, cookie))
+            val refused = send(exam, cookie, sheet, emptyMap())
+            assertEquals(422, refused.status.value)
+            val page = refused.bodyAsText()
+            assertTrue("answer at least one" in page && "id=\"clock\"" in page, page)
+            assertEquals("0", one("SELECT count(*) FROM submissions"))
+        }
+
+    @Test
     @DisplayName("answers that were kept are lost when time is over, or those that are none spoil the others")
     fun handsTheLastDraftInWhenTimeIsOver() =
         classroom().open(grades = false) {

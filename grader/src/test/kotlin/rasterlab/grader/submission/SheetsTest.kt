@@ -11,6 +11,7 @@ import kotlinx.serialization.json.jsonObject
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
@@ -148,6 +149,21 @@ class SheetsTest {
             assertTrue("answers[0]" in answer.bodyAsText(), answer.bodyAsText())
             answer.assertProblem(422, "bad-sheet")
             assertEquals(sheet, sheet(student))
+        }
+
+    @Test
+    @DisplayName("a sheet on which nothing is answered uses an attempt up")
+    fun aSheetWithoutAnAnswerIsNoAttempt() =
+        classroom().open(grades = false) {
+            val student = newStudent()
+            val sheet = sheet(student)
+            for (empty in listOf(sheet, sheet.replace(Regex("(?s)\"answers\": \\[.*\\]"), "\"answers\": []"))) {
+                val answer = handIn(student, empty)
+                assertTrue("answers: all 16 of them are null; answer at least one" in answer.bodyAsText())
+                answer.assertProblem(422, "bad-sheet")
+            }
+            assertEquals(sheet, sheet(student), "it was taken for an attempt")
+            assertEquals(202, handIn(student, answered(sheet)).status.value)
         }
 
     @Test

@@ -122,6 +122,24 @@ class HandInTest {
     }
 
     @Test
+    @DisplayName("a sheet whose fields are empty uses an attempt up, or what is wrong is not told")
+    fun aSheetWithoutAnAnswerIsShownAgain() {
+        val id = "predict-clip-segment"
+        classroom(asking(id)).open(grades = false) {
+            val student = newStudent()
+            val seed = sheet(student, id).seed()
+            for ((language, said) in mapOf("en" to "answer at least one", "ru" to "ответьте хотя бы на один")) {
+                val answer = send(student, id, "seed" to "$seed", "answer-1-decision" to " ", language = language)
+                assertEquals(422, answer.status.value)
+                val page = answer.bodyAsText()
+                assertTrue(said in page && PageTexts.of(language).problem("bad-sheet") in page, page)
+                assertTrue("name=\"answer-1-decision\"" in page, page)
+            }
+            assertEquals(seed, sheet(student, id).seed(), "it was taken for an attempt")
+        }
+    }
+
+    @Test
     @DisplayName("answers to a sheet that was handed in already answer the next one")
     fun answersToAnotherSheetAreNotTaken() {
         val id = "predict-clip-segment"

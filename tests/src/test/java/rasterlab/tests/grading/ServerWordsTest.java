@@ -79,6 +79,7 @@ class ServerWordsTest {
                 new Rejection.TooFast(ALLOWANCE),
                 new Rejection.BadSheet(
                         new CatalogueException(Phrase.of("predict.other-seed", "5", "6"))),
+                new Rejection.BadSheet(new CatalogueException(Phrase.of("predict.unanswered", 16))),
                 new Rejection.NotOpen("circle", Instant.EPOCH, Instant.EPOCH),
                 new Rejection.NoAttemptsLeft("circle", 3),
                 new Rejection.Late(Instant.EPOCH, new Rejection.Lateness.Marked()),
