@@ -17,6 +17,8 @@ import java.time.Instant
  * @param course its name; null for what belongs to the whole server
  * @param subjectName what the id in [subject] is called, a submission by its student, a regrade by its exercise; null
  *     where it is none, or is gone
+ * @param deletedNumber the number that the course had given the student in [subject], who was deleted; null of
+ *     anybody else
  * @param case the name of the only case that a regrade is of; null where it is of all, and of any other change
  */
 data class AuditEntry(
@@ -29,6 +31,7 @@ data class AuditEntry(
     val action: String,
     val subject: String,
     val subjectName: String?,
+    val deletedNumber: Int?,
     val detail: String,
     val case: String?,
 )
@@ -72,13 +75,18 @@ class Audit(
             row.getString("action"),
             row.getString("subject"),
             row.getString("subject_name"),
+            row.getString("deletion")?.let { NUMBER.find(it) }?.run { groupValues[1].toInt() },
             row.getString("detail"),
             row.getString("case_name"),
         )
 
     companion object {
+        /** Beginning of what a student's deletion notes. */
+        private val NUMBER = Regex("^number (\\d+),")
+
         private const val SELECT =
             """SELECT audit.*, doers.name AS by_name, doers.role, courses.name AS course_name, regrades.case_name,
+                   deletions.detail AS deletion,
                    coalesce(students.shown_name, others.name, earlier.name, authors.shown_name, regrades.exercise)
                        AS subject_name
                FROM audit
@@ -89,7 +97,9 @@ class Audit(
                LEFT JOIN courses AS earlier ON earlier.id = audit.subject
                LEFT JOIN submissions ON submissions.id = audit.subject
                LEFT JOIN students AS authors ON authors.id = submissions.student_id
-               LEFT JOIN regrades ON regrades.id = audit.subject"""
+               LEFT JOIN regrades ON regrades.id = audit.subject
+               LEFT JOIN audit AS deletions ON deletions.action = 'delete'
+                   AND (audit.subject = deletions.subject OR audit.subject LIKE '% ' || deletions.subject)"""
         private const val EARLIER =
             """JOIN audit AS seen ON seen.id = :before
                WHERE audit.noted_at < seen.noted_at OR (audit.noted_at = seen.noted_at AND audit.id < seen.id)"""

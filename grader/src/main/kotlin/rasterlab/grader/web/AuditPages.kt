@@ -6,6 +6,7 @@ import io.ktor.server.routing.get
 import kotlinx.html.FlowContent
 import kotlinx.html.a
 import kotlinx.html.p
+import kotlinx.html.span
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Audit
 import rasterlab.grader.course.AuditEntry
@@ -53,7 +54,7 @@ private fun FlowContent.changeTable(
             "when" to { moment(texts, it.notedAt) },
             "who" to { +texts.doer(it) },
             "what" to { +texts.action(it.action) },
-            "subject" to { subject(it) },
+            "subject" to { subject(texts, it) },
             "course" to { +(it.course ?: "–") },
             "detail" to { +(if (it.detail == it.subjectName) "–" else texts.detail(it, exercises).ifEmpty { "–" }) },
         )
@@ -64,9 +65,14 @@ private fun FlowContent.changeTable(
     )
 }
 
-private fun FlowContent.subject(one: AuditEntry) {
+private fun FlowContent.subject(
+    texts: PageTexts,
+    one: AuditEntry,
+) {
     val name = one.subjectName ?: one.subject
     when {
+        one.deletedNumber != null -> gone(one, exercise(one) + texts.say("audit.deleted", "${one.deletedNumber}"))
+        one.subjectName == null && isOfSubmission(one) -> gone(one, texts.say("audit.deleted.submission"))
         one.subjectName == null -> +name.ifEmpty { "–" }
         isOfSubmission(one) -> a("/submissions/${one.subject}") { +name }
         one.action.startsWith("regrade") -> a("/instructor/regrades/${one.subject}") { +name }
@@ -74,7 +80,24 @@ private fun FlowContent.subject(one: AuditEntry) {
     }
 }
 
-private fun isOfSubmission(one: AuditEntry) = listOf("points", "comment").any(one.action::startsWith)
+/** The exercise of an extension, before the student whose it is; empty of all else. */
+private fun exercise(one: AuditEntry) =
+    one.subject.substringBeforeLast(' ', "").let { if (it.isEmpty()) "" else "$it, " }
+
+/** Says what was deleted; its id, which names nobody any more, is a hint. */
+private fun FlowContent.gone(
+    one: AuditEntry,
+    words: String,
+) = span {
+    attributes["title"] = one.subject
+    +words
+}
+
+private val OF_SUBMISSIONS =
+    setOf("points", "points-revoke", "complaint-accept", "complaint-decline", "comment") +
+        listOf("answer", "edit", "delete", "settle").map { "comment-$it" }
+
+private fun isOfSubmission(one: AuditEntry) = one.action in OF_SUBMISSIONS
 
 private fun PageTexts.doer(one: AuditEntry): String =
     when {

@@ -1,9 +1,11 @@
 package rasterlab.grader.web
 
+import io.ktor.client.request.delete
 import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.request.patch
 import io.ktor.client.request.post
+import io.ktor.client.request.put
 import io.ktor.client.request.setBody
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
@@ -22,6 +24,7 @@ import rasterlab.grader.course.AuditNote
 import rasterlab.grader.json
 import rasterlab.grader.one
 import rasterlab.grader.sendForm
+import rasterlab.grader.text
 import java.nio.file.Path
 import java.time.Instant
 
@@ -68,6 +71,40 @@ class AuditPagesTest {
             assertEquals(columns.size, names.size, page)
             assertEquals(0, cells.size % names.size)
             assertEquals(names, cells.take(names.size))
+        }
+
+    @Test
+    @DisplayName("who was deleted is a bare id, or has a name still")
+    fun tellsThatAStudentWasDeleted() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            newStudent(course)
+            val student = newStudent(course)
+            val submission = submit(student).json().text("id")
+            val id = one("SELECT id FROM students WHERE number = 2")
+            client.post("/api/v1/submissions/$submission/comments") {
+                bearer(instructor)
+                json("""{"text":"Well done"}""")
+            }
+            client.post("/api/v1/students/$id/token") { bearer(instructor) }
+            client.patch("/api/v1/courses/$course/exercises/draw-dot") {
+                bearer(instructor)
+                json("""{"deadline":"2097-03-02T12:00:00Z"}""")
+            }
+            client.put("/api/v1/courses/$course/exercises/draw-dot/extensions/$id") {
+                bearer(instructor)
+                json("""{"deadline":"2098-03-02T12:00:00Z","reason":"ill"}""")
+            }
+            assertFalse("deleted student" in show("en"))
+            client.delete("/api/v1/students/$id") { bearer(instructor) }
+            for ((language, gone) in mapOf("en" to "deleted student, No. 2", "ru" to "удалённый студент, №\u00a02")) {
+                val page = show(language)
+                val cells = Regex("<span title=\"[^\"]*$id\">([^<]*)").findAll(page).map { it.groupValues[1] }
+                assertEquals(listOf(gone, "draw-dot, $gone", gone), cells.toList(), page)
+                val work = PageTexts.of(language).say("audit.deleted.submission")
+                assertTrue("<span title=\"$submission\">$work" in page, page)
+                assertFalse(Regex(">[^<]*($id|$submission)").containsMatchIn(page), page)
+            }
         }
 
     private suspend fun Visit.change() {
