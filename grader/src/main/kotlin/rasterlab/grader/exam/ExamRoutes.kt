@@ -25,6 +25,7 @@ import rasterlab.grader.problem.Paging
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.language
+import rasterlab.grader.problem.linkNext
 import rasterlab.grader.problem.paging
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
@@ -68,6 +69,7 @@ private data class SeatAnswer(
 private data class WatchedExamAnswer(
     val exam: ExamAnswer,
     val students: List<SeatAnswer>,
+    val next: String?,
 )
 
 @Serializable
@@ -112,8 +114,7 @@ fun Route.exams(
     get("/exams/{exam}") {
         call.staff()
         sittings.settle()
-        val exam = exams.find(call.examId())
-        call.respondJson(WatchedExamAnswer(call.answer(exam), exams.seats(exam).map { answer(it, sittings.now()) }))
+        call.respondSeats(exams, sittings.now())
     }
     patch("/exams/{exam}") {
         val instructor = call.instructor()
@@ -163,6 +164,17 @@ private fun told(body: JsonFields): Map<ExamField, String> =
 private fun ApplicationCall.examId() = parameters.getOrFail("exam")
 
 private fun ApplicationCall.studentId() = parameters.getOrFail("student")
+
+/** Answers with an exam and the part of its students that is asked for. */
+private suspend fun ApplicationCall.respondSeats(
+    exams: Exams,
+    now: Instant,
+) {
+    val exam = exams.find(examId())
+    val part = paging(Paging.WHOLE).of(exams.seats(exam)) { it.sitting.student }
+    linkNext(part)
+    respondJson(WatchedExamAnswer(answer(exam), part.items.map { answer(it, now) }, part.next))
+}
 
 private suspend fun ApplicationCall.respondSeat(
     exams: Exams,

@@ -30,6 +30,7 @@ import rasterlab.grader.course.Staff
 import rasterlab.grader.course.StaffRole
 import rasterlab.grader.json
 import rasterlab.grader.list
+import rasterlab.grader.one
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.text
 import rasterlab.grader.worker.Worker
@@ -188,6 +189,7 @@ class PagingTest {
             "exercise" to "draw-dot",
             "token" to token,
             "instructor" to instructor,
+            "exam" to one("SELECT min(id) FROM exams"),
         )
     }
 
@@ -227,6 +229,7 @@ class PagingTest {
                 "/courses/{course}/regrades" to "",
                 "/courses/{course}/kept-comments" to "",
                 "/exams" to "",
+                "/exams/{exam}" to "students",
                 "/exercises?lang=ru" to "",
                 "/staff" to "",
                 "/workers" to "",
