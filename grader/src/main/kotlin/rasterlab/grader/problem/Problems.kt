@@ -26,6 +26,9 @@ import org.slf4j.LoggerFactory
 import rasterlab.grader.limits.tell
 import java.sql.SQLException
 
+/** The seconds after which a storage that does not answer is worth asking again, as a header says them. */
+private const val STORAGE_SECONDS = "5"
+
 /** An error as RFC 9457 lays it out. */
 @Serializable
 data class ProblemDocument(
@@ -96,6 +99,7 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
     exception<Throwable> { call, failure ->
         log.error("{} {} failed", call.request.httpMethod.value, call.request.path(), failure)
         if (failure is JdbiException || failure is SQLException) {
+            call.response.header(HttpHeaders.RetryAfter, STORAGE_SECONDS)
             show(
                 call,
                 ServiceUnavailable,

@@ -52,7 +52,9 @@ class SubmissionRoutesTest {
                         "CREATE TRIGGER full BEFORE INSERT ON idempotency_keys BEGIN SELECT raise(ABORT, 'full'); END",
                     )
                 }
-                submit(student, key = "k").assertProblem(503, "storage")
+                val refused = submit(student, key = "k")
+                refused.assertProblem(503, "storage")
+                assertEquals("5", refused.headers[HttpHeaders.RetryAfter], "when to come again")
                 assertEquals("0", query(file, "SELECT count(*) FROM submissions"))
             }
         }
