@@ -89,6 +89,12 @@ class Database private constructor(
      */
     fun keepsName(): Boolean = named?.isKept() ?: true
 
+    /**
+     * Lets go of the connections that nobody uses now. Those to a database that was away are dead, and each would fail once
+     * more when that is back.
+     */
+    fun dropIdle() = listOf(writer, reader).forEach { it.hikariPoolMXBean?.softEvictConnections() }
+
     /** Whether the disk can still take a submission and its result. */
     fun hasRoom(): Boolean = freeBytes() >= LEAST_FREE_BYTES
 

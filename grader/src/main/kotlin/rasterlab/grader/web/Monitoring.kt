@@ -11,6 +11,7 @@ import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.language
 import rasterlab.grader.problem.respondProblem
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.WriteTrial
 
 /** Serves the machines that watch the server; nothing here names a person. */
 fun Route.monitoring(
@@ -18,10 +19,11 @@ fun Route.monitoring(
     isolation: () -> Isolation,
     meters: Meters,
 ) {
+    val trial = WriteTrial(database)
     get("/healthz") { call.respondText("ok\n") }
     get("/readyz") {
         if (!database.hasRoom()) throw Rejection.NoRoom()
-        database.write { it.execute("UPDATE secrets SET name = name WHERE 1 = 0") }
+        trial.require()
         call.respondText(ready(isolation(), call.language()))
     }
     get("/metrics") { call.respondText(meters.text(), PROMETHEUS_TEXT) }
