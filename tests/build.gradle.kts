@@ -16,6 +16,8 @@ dependencies {
     runtimeOnly(variantOf(libs.lwjgl) { classifier("natives-linux") })
     runtimeOnly(variantOf(libs.lwjgl.opengl) { classifier("natives-linux") })
     implementation(libs.jmh.core)
+    runtimeOnly(libs.postgresql)
+    runtimeOnly(libs.sqlite.jdbc)
     annotationProcessor(libs.jmh.generator.annprocess)
     testImplementation(project(":grader"))
     testImplementation(libs.archunit)

@@ -63,14 +63,24 @@ class BenchTest {
     }
 
     @Test
+    void anUnknownPartOfTheGraderIsAnsweredWithThoseThereAre() {
+        assertEquals(2, run("grader", "--only", "disk,nosuch"));
+        assertEquals(
+                "./lab bench: the grader has no part 'nosuch'; there are single, class, bombs,"
+                        + " sockets, burst, disk, readonly, locked, database, clock, files, kills"
+                        + " (see `./lab bench --help`)",
+                errorText());
+    }
+
+    @Test
     void whatDoesNotGoTogetherIsTold() {
         assertEquals(2, run("window", "--only", "line"));
         assertEquals(2, run("raster", "--minutes", "3"));
         assertEquals(2, run("window", "--minutes", "-1"));
         assertEquals(
                 List.of(
-                        "--only goes with the groups raster, pipeline and search, not with plan,"
-                                + " study, window and grader",
+                        "--only goes with the groups raster, pipeline, search and grader, not with"
+                                + " plan, study and window",
                         "--minutes goes with the group window, not with raster",
                         "--minutes must be at least 0, got -1"),
                 errorText()
@@ -85,6 +95,7 @@ class BenchTest {
                 "--lang ru",
                 "rasta --lang=ru",
                 "raster --only nosuch --lang ru",
+                "grader --only nosuch --lang ru",
                 "raster --minutes 3 --lang ru",
                 "window --minutes x --lang ru",
                 "raster --lnag --lang ru",

@@ -2,12 +2,14 @@ package rasterlab.tests.bench.grader;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.sql.SQLException;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import rasterlab.app.language.Language;
 import rasterlab.exercises.Exercise;
@@ -20,12 +22,11 @@ import rasterlab.exercises.score.Report;
 import rasterlab.tests.bench.language.BenchWords;
 
 /**
- * Grades a right program for a typical exercise again and again, as a server does when it has
- * nothing else to do: from the source to the report, without the way through the queue.
+ * Measures the grading server: single gradings from the source to the report, as a server makes
+ * them when it has nothing else to do, without the way through the queue; then whole servers under
+ * load, faults and kills.
  */
 public final class GraderBench {
-    private static final String EXERCISE = "line-bresenham";
-    private static final String SOURCE = "/rasterlab/tests/grading/Right.java";
     private static final double GOAL_SECONDS = 0.7;
     private static final int WARM_UP = 3;
     private static final int MANY = 21;
@@ -37,22 +38,38 @@ public final class GraderBench {
     private final boolean quick;
     private final BenchWords words;
     private final PrintStream out;
+    private final Set<GraderPart> parts;
 
-    public GraderBench(boolean quick, BenchWords words, PrintStream out) {
+    /**
+     * @param parts that are measured
+     */
+    public GraderBench(
+            boolean quick, BenchWords words, PrintStream out, Collection<GraderPart> parts) {
         this.quick = quick;
         this.words = words;
         this.out = out;
+        this.parts = EnumSet.copyOf(parts);
     }
 
     /**
      * Prints the times of single gradings on each Java, of many one after another, and what a
-     * server makes of a class, a burst and an attack.
+     * server makes of a class, a burst and an attack, of faults of the machine and of kills.
      */
-    public void run() throws IOException, InterruptedException {
-        Path images = Path.of(System.getProperty("java.io.tmpdir"), "rasterlab-bench-images");
+    public void run() throws IOException, InterruptedException, SQLException {
+        if (parts.contains(GraderPart.SINGLE)) single();
+        Path home = Path.of(System.getProperty("rasterlab.home", "."));
+        Set<GraderPart> loads = EnumSet.copyOf(GraderPart.LOADS);
+        loads.retainAll(parts);
+        if (!loads.isEmpty()) new ServerBench(quick, words, out).run(home, loads);
+        var faults = new FaultBench(home, quick, words, out);
+        for (GraderPart part : parts) if (GraderPart.FAULTS.contains(part)) faults.run(part);
+        if (parts.contains(GraderPart.KILLS)) new KillTrial(quick, words, out).run(home);
+    }
+
+    private void single() throws IOException, InterruptedException {
         JudgeSettings plain = JudgeSettings.defaults();
         long start = System.nanoTime();
-        try (Judge judge = Judge.start(plain.withImages(images))) {
+        try (Judge judge = Judge.start(plain.withImages(LabCall.IMAGES))) {
             out.println(words.text("grader.start", seconds(System.nanoTime() - start)));
             out.println(judge.isolation().describe(language()));
             measure(judge, "grader.image");
@@ -60,8 +77,6 @@ public final class GraderBench {
         try (Judge judge = Judge.start(plain)) {
             measure(judge, "grader.jdk");
         }
-        Path home = Path.of(System.getProperty("rasterlab.home", "."));
-        new ServerBench(quick, words, out, source()).run(home);
     }
 
     private String language() {
@@ -99,22 +114,14 @@ public final class GraderBench {
 
     /** The nanoseconds from the source to the report. */
     private static long grade(Judge judge) throws InterruptedException {
-        Exercise exercise = Catalogue.builtIn().named(EXERCISE);
-        String source = source();
+        Exercise exercise = Catalogue.builtIn().named(BenchSources.EXERCISE);
+        String source = BenchSources.right();
         long start = System.nanoTime();
         Report report = judge.grade(exercise, source, CaseSelection.all(7), one -> {});
         long nanos = System.nanoTime() - start;
         if (report.verdict() != GradingVerdict.OK)
             throw new IllegalStateException("expected a right program, got " + report.verdict());
         return nanos;
-    }
-
-    private static String source() {
-        try (var stream = GraderBench.class.getResourceAsStream(SOURCE)) {
-            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 
     private static String seconds(long nanos) {

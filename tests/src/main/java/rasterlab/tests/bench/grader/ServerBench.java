@@ -7,6 +7,7 @@ import java.net.http.HttpResponse;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
@@ -25,7 +26,6 @@ import rasterlab.tests.bench.language.BenchWords;
  * students whose methods never end.
  */
 final class ServerBench {
-    private static final String EXERCISE = "line-bresenham";
     private static final int CLIENTS = 8;
     private static final int CLASS = 200;
     private static final int BURST = 2_000;
@@ -43,38 +43,48 @@ final class ServerBench {
     private static final double GOAL_RECOVERED = 10;
 
     private static final int SOCKETS = 10_000;
-    private static final int OK = 200;
     private static final long PATIENCE_NANOS = TimeUnit.MINUTES.toNanos(1);
     private static final long PAUSE_MILLIS = 50;
 
     private final boolean quick;
     private final BenchWords words;
     private final PrintStream out;
-    private final String right;
+    private final String right = BenchSources.right();
 
-    /**
-     * @param right a source that is right
-     */
-    ServerBench(boolean quick, BenchWords words, PrintStream out, String right) {
+    ServerBench(boolean quick, BenchWords words, PrintStream out) {
         this.quick = quick;
         this.words = words;
         this.out = out;
-        this.right = right;
     }
 
-    /** Prints what each load did to the server. */
-    void run(Path home) throws IOException, InterruptedException {
-        try (BenchServer server = BenchServer.start(home)) {
+    /**
+     * Prints what each load did to the server.
+     *
+     * @param home folder of the program
+     * @param loads in whose order they come
+     */
+    void run(Path home, Collection<GraderPart> loads) throws IOException, InterruptedException {
+        try (var all = new Belongings()) {
+            Path folder = all.add(BenchFolder::make).path();
+            LabCall call = LabCall.serve(home, folder.resolve("course"));
+            BenchServer server = BenchServer.start(call, folder.resolve("errors"), all);
             List<String> students = new ArrayList<>();
             for (int k = 0; k < some(CLASS); k++) students.add(server.join("Student " + k));
-            wave(server, students, 1, "grader.class", GOAL_DRAINED);
-            memory(server);
-            bombs(server, students);
-            memory(server);
-            sockets(server);
-            memory(server);
-            burst(server, students);
-            memory(server);
+            for (GraderPart load : loads) {
+                put(load, server, students);
+                memory(server);
+            }
+        }
+    }
+
+    private void put(GraderPart load, BenchServer server, List<String> students)
+            throws IOException, InterruptedException {
+        switch (load) {
+            case CLASS -> wave(server, students, 1, "grader.class", GOAL_DRAINED);
+            case BOMBS -> bombs(server, students);
+            case SOCKETS -> sockets(server);
+            case BURST -> burst(server, students);
+            default -> throw new IllegalArgumentException("no load: " + load);
         }
     }
 
@@ -85,7 +95,7 @@ final class ServerBench {
     /** The answer to one submission. */
     private record Sent(String student, HttpResponse<String> answer) {
         boolean isAccepted() {
-            return answer.statusCode() == 202;
+            return answer.statusCode() == GraderHttp.ACCEPTED;
         }
 
         boolean isToldToWait() {
@@ -132,8 +142,12 @@ final class ServerBench {
         for (int k = 0; k < each; k++)
             for (String student : students) {
                 // sources that differ are not one that was sent twice
-                String source = right + "// " + k;
-                work.add(() -> new Sent(student, server.submit(student, EXERCISE, source)));
+                String source = BenchSources.marked(right, k);
+                work.add(
+                        () ->
+                                new Sent(
+                                        student,
+                                        server.submit(student, BenchSources.EXERCISE, source)));
             }
         long start = System.nanoTime();
         List<Sent> sent = all(work);
@@ -156,7 +170,7 @@ final class ServerBench {
                         String.valueOf(sent.size() - taken.size() - refused)));
         List<Callable<JsonNode>> results = new ArrayList<>();
         for (Sent one : taken)
-            results.add(() -> server.graded(one.student(), BenchServer.id(one.answer())));
+            results.add(() -> server.graded(one.student(), GraderHttp.id(one.answer())));
         List<JsonNode> told = all(results);
         long drained = System.nanoTime() - start;
         long graded =
@@ -172,6 +186,10 @@ final class ServerBench {
                         seconds(drained),
                         String.valueOf(Math.round(goal)),
                         met(drained <= goal * 1e9 && graded == taken.size())));
+        fair(key, taken, told);
+    }
+
+    private void fair(String key, List<Sent> taken, List<JsonNode> told) {
         List<FairOrder.TimedResult> order = new ArrayList<>();
         for (int k = 0; k < taken.size(); k++) {
             Instant at = Instant.parse(told.get(k).path("gradedAt").asText());
@@ -197,7 +215,7 @@ final class ServerBench {
             meanwhile = server.statusFromAnew();
         }
         long end = System.nanoTime();
-        while (server.statusFromAnew() != OK && System.nanoTime() - end < PATIENCE_NANOS)
+        while (server.statusFromAnew() != GraderHttp.OK && System.nanoTime() - end < PATIENCE_NANOS)
             TimeUnit.MILLISECONDS.sleep(PAUSE_MILLIS);
         long after = System.nanoTime() - end;
         out.println(
@@ -220,14 +238,14 @@ final class ServerBench {
         int many = some(BOMBS);
         for (int k = 0; k < many; k++) {
             String student = students.get(1 + k % (students.size() - 1));
-            String bomb = BOMB_SOURCES.get(k % BOMB_SOURCES.size());
-            work.add(() -> new Sent(student, server.submit(student, EXERCISE, bomb)));
+            String bomb = BenchSources.BOMBS.get(k % BenchSources.BOMBS.size());
+            work.add(() -> new Sent(student, server.submit(student, BenchSources.EXERCISE, bomb)));
         }
         List<Sent> sent = all(work);
         double beside = wait(server, honest, 1);
         long start = System.nanoTime();
         for (Sent one : sent)
-            if (one.isAccepted()) server.graded(one.student(), BenchServer.id(one.answer()));
+            if (one.isAccepted()) server.graded(one.student(), GraderHttp.id(one.answer()));
         double all = beside + (System.nanoTime() - start) / 1e9;
         out.println(
                 words.text(
@@ -242,8 +260,8 @@ final class ServerBench {
     private double wait(BenchServer server, String student, int attempt)
             throws IOException, InterruptedException {
         long start = System.nanoTime();
-        var answer = server.submit(student, EXERCISE, right + "// honest " + attempt);
-        server.graded(student, BenchServer.id(answer));
+        var answer = server.submit(student, BenchSources.EXERCISE, right + "// honest " + attempt);
+        server.graded(student, GraderHttp.id(answer));
         return (System.nanoTime() - start) / 1e9;
     }
 
@@ -290,24 +308,4 @@ final class ServerBench {
     private static String number(double seconds) {
         return String.format(Locale.ROOT, "%.2f", seconds);
     }
-
-    private static final String HEAD =
-            """
-            import rasterlab.contract.*;
-
-            public final class Mine implements LineRasterizer {
-                @Override
-                public void draw(int x0, int y0, int x1, int y1, Pixels out) {
-            """;
-
-    /** Methods that never end, take all memory, and start threads without end. */
-    private static final List<String> BOMB_SOURCES =
-            List.of(
-                    HEAD + "        while (true) { x0++; }\n    }\n}\n",
-                    HEAD
-                            + "        var all = new java.util.ArrayList<int[]>();\n"
-                            + "        while (true) all.add(new int[1 << 20]);\n    }\n}\n",
-                    HEAD
-                            + "        while (true) new Thread(() -> { while (true) { } }).start();\n"
-                            + "    }\n}\n");
 }

@@ -1,0 +1,116 @@
+package rasterlab.tests.bench.grader;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.time.Duration;
+import java.util.stream.Stream;
+
+/**
+ * Asks a server over its API, as programs do.
+ *
+ * @param limit how long an answer may take
+ */
+record GraderHttp(HttpClient http, URI address, Duration limit) {
+    static final int OK = 200;
+    static final int ACCEPTED = 202;
+    private static final Duration PATIENT = Duration.ofMinutes(5);
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    static GraderHttp of(URI address) {
+        return new GraderHttp(HttpClient.newHttpClient(), address, PATIENT);
+    }
+
+    GraderHttp at(URI other) {
+        return new GraderHttp(http, other, limit);
+    }
+
+    GraderHttp within(Duration shorter) {
+        return new GraderHttp(http, address, shorter);
+    }
+
+    /** A new course of an instructor: {@code course} and the {@code code} to join it. */
+    JsonNode newCourse(String instructor) throws IOException, InterruptedException {
+        return read(send(json("/api/v1/courses", instructor, "{\"name\":\"Bench\"}")));
+    }
+
+    /** The token of a new student. */
+    String join(String code, String name) throws IOException, InterruptedException {
+        String body = "{\"course\":\"%s\",\"name\":\"%s\"}".formatted(code, name);
+        return read(send(json("/api/v1/join", "", body))).path("token").asText();
+    }
+
+    HttpResponse<String> submit(String student, String exercise, String source)
+            throws IOException, InterruptedException {
+        return send(submission(student, exercise, source));
+    }
+
+    /**
+     * Hands in so that it may be repeated.
+     *
+     * @param key what the student calls this one
+     */
+    HttpResponse<String> submit(String student, String exercise, String source, String key)
+            throws IOException, InterruptedException {
+        return send(submission(student, exercise, source).header("Idempotency-Key", key));
+    }
+
+    private HttpRequest.Builder submission(String student, String exercise, String source) {
+        return request("/api/v1/exercises/" + exercise + "/submissions", student)
+                .header("Content-Type", "text/x-java-source")
+                .POST(BodyPublishers.ofString(source));
+    }
+
+    /** The id in the answer to what was handed in. */
+    static String id(HttpResponse<String> accepted) throws IOException {
+        return read(accepted).path("id").asText();
+    }
+
+    /** Whether the server can take submissions and store results. */
+    HttpResponse<String> ready() throws IOException, InterruptedException {
+        return send(request("/readyz", ""));
+    }
+
+    /** Waits until a submission is graded, and returns its result. */
+    JsonNode graded(String student, String id) throws IOException, InterruptedException {
+        HttpResponse<Stream<String>> events =
+                http.send(
+                        request("/api/v1/submissions/" + id + "/events", student).build(),
+                        BodyHandlers.ofLines());
+        try (var lines = events.body()) {
+            lines.anyMatch(line -> line.contains("event: done"));
+        }
+        return result(student, id);
+    }
+
+    /** The state of a submission, and its result where there is one. */
+    JsonNode result(String student, String id) throws IOException, InterruptedException {
+        return read(send(request("/api/v1/submissions/" + id, student)));
+    }
+
+    HttpRequest.Builder request(String path, String token) {
+        var request = HttpRequest.newBuilder(address.resolve(path)).timeout(limit);
+        return token.isEmpty() ? request : request.header("Authorization", "Bearer " + token);
+    }
+
+    private HttpRequest.Builder json(String path, String token, String body) {
+        return request(path, token)
+                .header("Content-Type", "application/json")
+                .POST(BodyPublishers.ofString(body));
+    }
+
+    private HttpResponse<String> send(HttpRequest.Builder request)
+            throws IOException, InterruptedException {
+        return http.send(request.build(), BodyHandlers.ofString());
+    }
+
+    private static JsonNode read(HttpResponse<String> answer) throws IOException {
+        return JSON.readTree(answer.body());
+    }
+}

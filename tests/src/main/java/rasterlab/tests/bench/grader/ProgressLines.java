@@ -1,0 +1,24 @@
+package rasterlab.tests.bench.grader;
+
+import java.io.PrintStream;
+import java.time.Duration;
+
+/** Says now and then how far a part is that takes long. */
+final class ProgressLines {
+    private static final Duration PAUSE = Duration.ofSeconds(15);
+
+    private final PrintStream out;
+    private long last = System.nanoTime();
+
+    ProgressLines(PrintStream out) {
+        this.out = out;
+    }
+
+    /** Prints the line, but where one was printed lately. */
+    void tell(String line) {
+        long now = System.nanoTime();
+        if (now - last < PAUSE.toNanos()) return;
+        last = now;
+        out.println("  " + line);
+    }
+}
