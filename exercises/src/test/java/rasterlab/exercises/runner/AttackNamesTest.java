@@ -223,9 +223,9 @@ class AttackNamesTest {
                 argumentSet(
                         "printStackTrace loops",
                         "runtime_error",
-                        "Mine$1",
+                        "Mine$1: late",
                         method(
-                                "throw new RuntimeException()"
+                                "throw new RuntimeException(\"late\")"
                                         + " { public void printStackTrace() { while (true); } };\n")));
     }
 

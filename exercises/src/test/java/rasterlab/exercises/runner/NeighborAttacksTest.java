@@ -92,7 +92,9 @@ class NeighborAttacksTest {
     @MethodSource("bombs")
     void aBombOfThreadsEndsWithItsCall(String bomb) throws Exception {
         int before = Thread.activeCount();
+        ProcessHandle process;
         try (Child runner = unscanned.child(ChildKind.RUN)) {
+            process = runner.handle();
             String ended;
             try {
                 ended = unscanned.draw(runner, method(bomb + "while (true);\n")).thrown();
@@ -102,6 +104,7 @@ class NeighborAttacksTest {
             }
             assertTrue(ended.matches("TIME|MEMORY|.*unable to create native thread.*"), ended);
         }
+        assertFalse(process.isAlive(), "the bomb outlived its call");
         assertEquals("", unscanned.draw(method("out.plot(x0, y0);\n")).thrown());
         assertTrue(Thread.activeCount() <= before + 4, () -> Thread.activeCount() + " threads");
     }
