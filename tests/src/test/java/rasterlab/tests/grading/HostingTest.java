@@ -14,6 +14,7 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -45,6 +46,11 @@ class HostingTest {
                     "Caddyfile");
     private static final List<String> STAND_INS =
             List.of("sudo", "apt-get", "adduser", "systemctl");
+
+    /** Settings of systemd by which the kernel refuses to make a namespace, or to name its host. */
+    private static final Set<String> KEEPS_BUBBLEWRAP_OUT =
+            Set.of("ProtectHostname", "RestrictNamespaces", "PrivateUsers", "SystemCallFilter");
+
     private static final Pattern TOKEN = Pattern.compile("instructor token: (\\S+)");
     private static final Pattern COURSE = Pattern.compile("\"course\" *: *\"([^\"]+)\"");
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)]+)\\)");
@@ -86,6 +92,35 @@ class HostingTest {
                     environment,
                     Duration.ofMinutes(2),
                     List.of("sh", "-c", "systemctl stop rasterlab.service"));
+        }
+    }
+
+    @Test
+    @DisplayName("the service forbids what bubblewrap does, so that methods run outside of a box")
+    void theServiceLetsBubblewrapWork() {
+        String service = Repository.text(GUIDE.resolveSibling("hosting/rasterlab.service"));
+        var forbidden =
+                service.lines()
+                        .filter(line -> KEEPS_BUBBLEWRAP_OUT.contains(line.split("=")[0]))
+                        .toList();
+        assertEquals(List.of(), forbidden);
+        assertTrue(
+                service.lines()
+                        .filter(line -> line.startsWith("RestrictAddressFamilies="))
+                        .allMatch(line -> line.contains("AF_NETLINK")),
+                "it sets up the loopback of the box over netlink");
+    }
+
+    @Test
+    @DisplayName("systemd takes an end that it asked for itself for a failure")
+    void anEndBySignalIsNoFailure() throws Exception {
+        try (var server = ServerProcess.start(machine.resolve("course"))) {
+            server.process().destroy();
+            int exit = server.process().waitFor();
+            String service = Repository.text(GUIDE.resolveSibling("hosting/rasterlab.service"));
+            assertTrue(
+                    service.lines().anyMatch(("SuccessExitStatus=" + exit)::equals),
+                    () -> "it ends with " + exit);
         }
     }
 
