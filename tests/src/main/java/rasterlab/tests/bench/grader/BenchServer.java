@@ -75,6 +75,10 @@ final class BenchServer {
         return http.address();
     }
 
+    long pid() {
+        return process.pid();
+    }
+
     GraderHttp http() {
         return http;
     }

@@ -28,11 +28,17 @@ final class FaultBench {
     /** Prints what a fault did, or why it was not measured. */
     void run(GraderPart part) throws IOException, InterruptedException, SQLException {
         if (part == GraderPart.CLOCK) {
-            run("ahead", (folder, all) -> SetClock.in(folder, 1));
-            run("back", (folder, all) -> SetClock.in(folder, -1));
+            run("ahead", (folder, all) -> clock(folder, 1, all));
+            run("back", (folder, all) -> clock(folder, -1, all));
             return;
         }
         run(part.word(), (folder, all) -> fault(part, folder, all));
+    }
+
+    private static SetClock clock(Path folder, int hours, Belongings all)
+            throws IOException, NotMeasured {
+        SetClock clock = SetClock.in(folder, hours);
+        return all.add(() -> clock);
     }
 
     private ServerFault fault(GraderPart part, Path folder, Belongings all)

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
  * A clock that is set by some hours and back, for one server: Debian's libfaketime shows it another
  * time than this machine's, but lets the time that passes be.
  */
-final class SetClock implements ServerFault {
+final class SetClock implements ServerFault, AutoCloseable {
     private static final Path LIBRARIES = Path.of("/usr/lib");
     private static final String LIBRARY = "faketime/libfaketimeMT.so.1";
     private static final int HOUR = 3_600;
@@ -27,6 +27,7 @@ final class SetClock implements ServerFault {
     private final Path stamp;
     private final Path library;
     private final int hours;
+    private long pid;
 
     private SetClock(Path folder, Path library, int hours) {
         data = folder.resolve("course");
@@ -80,15 +81,13 @@ final class SetClock implements ServerFault {
                         "0",
                         // times of files stay what they are
                         "NO_FAKE_STAT",
-                        "1",
-                        // nothing is left behind by a killed process
-                        "FAKETIME_DISABLE_SHM",
                         "1"));
     }
 
     /** The server's log has to say that it saw it. */
     @Override
     public void begin(BenchServer server) throws IOException, InterruptedException, NotMeasured {
+        pid = server.pid();
         show(hours * HOUR);
         long end = System.nanoTime() + PATIENCE_NANOS;
         while (!isTold()) {
@@ -105,6 +104,13 @@ final class SetClock implements ServerFault {
     @Override
     public void end() throws IOException {
         show(0);
+    }
+
+    /** Removes the shared memory that libfaketime leaves behind. */
+    @Override
+    public void close() throws IOException {
+        for (String name : List.of("faketime_shm_", "sem.faketime_sem_"))
+            Files.deleteIfExists(Path.of("/dev/shm", name + pid));
     }
 
     /** Replaces the file at once: a process that reads it never finds it half written. */
