@@ -194,7 +194,7 @@ class Server(
     private val leases = Leases(database, reports, clock, steady, settings.name)
     private val meters = Meters(database, children, clock)
     private val attempts =
-        Attempts(database, leases, exercises, meters.timed(grading), live, meters::waited, stopping)
+        Attempts(database, leases, exercises, meters.timed(grading), live, meters::waited, stopping = stopping)
     private val workers = Workers(database, steady, Leases.LENGTH)
     private val queue =
         GradingQueue(

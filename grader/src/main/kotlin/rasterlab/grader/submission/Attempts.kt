@@ -28,6 +28,7 @@ enum class AttemptOutcome {
  * Grades one submission at a time per thread, and sees that each gets one result.
  *
  * @param claimed told of each attempt as it begins
+ * @param filesLeft whether there are files to grade with: an attempt without them would only use up a try
  * @param stopping whether the process ends, which may end a child before its time
  */
 class Attempts(
@@ -37,6 +38,7 @@ class Attempts(
     private val grading: Grading,
     private val live: Live,
     private val claimed: (Submission) -> Unit = {},
+    private val filesLeft: () -> Boolean = FreeFiles::areLeft,
     private val stopping: () -> Boolean,
 ) {
     private val log = LoggerFactory.getLogger(javaClass)
@@ -61,7 +63,7 @@ class Attempts(
         open.incrementAndGet()
         working += Thread.currentThread()
         try {
-            return if (takes && database.hasRoom()) takeNext() else AttemptOutcome.TRY_AGAIN
+            return if (takes && filesLeft() && database.hasRoom()) takeNext() else AttemptOutcome.TRY_AGAIN
         } finally {
             working -= Thread.currentThread()
             open.decrementAndGet()

@@ -217,6 +217,21 @@ open class AttemptsTest {
         assertEquals(listOf(State.DONE, State.DONE), listOf(left, waiting).map { submissions.find(it)?.state })
     }
 
+    @Test
+    @DisplayName("without files to grade with, a submission uses up its tries")
+    fun waitsForFiles() {
+        var left = false
+        val exercises = Exercises(listOf(Classroom.EXERCISE))
+        val attempts =
+            Attempts(database, leases, exercises, { _, _, _, _ -> right }, Live(), filesLeft = { left }) { false }
+        val id = submission()
+        repeat(Attempts.TRIES) { assertEquals(AttemptOutcome.TRY_AGAIN, attempts.attemptNext()) }
+        assertEquals(0, submissions.find(id)?.tries)
+        left = true
+        assertEquals(AttemptOutcome.SETTLED, attempts.attemptNext())
+        assertEquals(1, submissions.find(id)?.tries)
+    }
+
     private fun attempts(
         live: Live = Live(),
         grading: Grading,
