@@ -109,7 +109,7 @@ if not defined heap set "heap=256"
 for /f "delims=0123456789" %%D in ("%heap%") do set "heap=256"
 if %heap% LSS 64 set "heap=256"
 if %heap% GTR 65536 set "heap=256"
-set "memory=-XX:+UseSerialGC -Xmx%heap%m"
+set "memory=-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx%heap%m"
 :start
 set "options="
 if "%module%"=="app" set options="@%root%\app\java-options"
