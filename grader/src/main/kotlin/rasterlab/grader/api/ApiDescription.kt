@@ -7,7 +7,6 @@ import io.ktor.server.plugins.ratelimit.RateLimitRouteSelector
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.HttpMethodRouteSelector
 import io.ktor.server.routing.OpenApiRoutePathFormat
-import io.ktor.server.routing.PathSegmentParameterRouteSelector
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.RoutingNode
 import io.ktor.server.routing.application
@@ -54,14 +53,15 @@ internal fun describe(
 }
 
 /** The keys of what is written that OpenAPI has at the same place. */
-private val WRITTEN = listOf("summary", "description", "requestBody")
+private val WRITTEN = listOf("tags", "summary", "description", "requestBody")
 
 private fun operation(
     call: ServedCall,
     written: JsonObject,
 ) = buildJsonObject {
     WRITTEN.forEach { key -> written[key]?.let { put(key, it) } }
-    if (call.isForKnown) {
+    put("operationId", JsonPrimitive(call.id))
+    if (call.needsToken) {
         put(
             "security",
             buildJsonArray { add(buildJsonObject { put("token", JsonArray(emptyList())) }) },
@@ -72,8 +72,9 @@ private fun operation(
     val told = written.getValue("responses").jsonObject
     val refused = refusals(call, written).associate { "$it" to reference("responses", PROBLEM) }
     val limited = if (call.isLimited) mapOf("$TOO_MANY" to reference("responses", "Limited")) else emptyMap()
+    val away = if (call.isStored) mapOf("$AWAY" to reference("responses", "Unavailable")) else emptyMap()
     val answers = if (call.isLimited) told.mapValues { (_, answer) -> withLimits(answer.jsonObject) } else told
-    put("responses", JsonObject((refused + limited + answers).toSortedMap()))
+    put("responses", JsonObject((refused + limited + away + answers).toSortedMap()))
 }
 
 /** The statuses of refusals: those of every such route, and those that are written. */
@@ -82,7 +83,7 @@ private fun refusals(
     written: JsonObject,
 ): List<Int> =
     buildList {
-        if (call.isForKnown) add(UNKNOWN_CALLER)
+        if (call.needsToken) add(UNKNOWN_CALLER)
         if (call.parameters.isNotEmpty()) add(NOTHING_THERE)
         if ("requestBody" in written) addAll(BAD_BODIES)
         written["problems"]?.jsonArray?.forEach { add("$it".toInt()) }
@@ -101,18 +102,26 @@ private fun reference(
 /**
  * A method of an address, as the routes have it.
  *
- * @param parameters names of those in the path, in order
- * @param isForKnown whether only callers who show who they are come in
+ * @param parameters keys of those in the path, in order: their names, and with `id` whose it is
+ * @param needsToken whether only callers who show who they are come in
  * @param isLimited whether callers are told how often they may come
  */
 private class ServedCall(
     val method: String,
     val path: String,
     val parameters: List<String>,
-    val isForKnown: Boolean,
+    val needsToken: Boolean,
     val isLimited: Boolean,
 ) {
     val name = "$method $path"
+
+    /** A name for programs that are made from the description. */
+    val id =
+        method.lowercase() +
+            path.removePrefix(API).split(Regex("[^A-Za-z]+")).joinToString("") { it.replaceFirstChar(Char::uppercase) }
+
+    /** Whether the call reads or writes what is stored, which can be away. */
+    val isStored = path.startsWith(API) || path == READY
 
     companion object {
         /** The call that a route is for; null where it is none for programs. */
@@ -125,24 +134,33 @@ private class ServedCall(
                     .asReversed()
             val method = selectors.filterIsInstance<HttpMethodRouteSelector>().singleOrNull() ?: return null
             val path = route.path(OpenApiRoutePathFormat)
-            if (!path.startsWith("/api/") && path !in FOR_MACHINES) return null
+            if (!path.startsWith(API) && path !in FOR_MACHINES) return null
             return ServedCall(
                 method.method.value,
                 path,
-                selectors.filterIsInstance<PathSegmentParameterRouteSelector>().map { it.name },
+                parameters(path),
                 selectors.any { it is AuthenticationRouteSelector },
                 selectors.any { it is RateLimitRouteSelector },
             )
         }
+
+        private fun parameters(path: String): List<String> =
+            path.split("/").zipWithNext().filter { (_, part) -> part.startsWith("{") }.map { (owner, part) ->
+                val name = part.removeSurrounding("{", "}")
+                if (name == "id") "$owner.id" else name
+            }
     }
 }
 
 private const val ADDRESS = "/openapi.json"
-private val FOR_MACHINES = setOf(ADDRESS, "/healthz", "/readyz", "/metrics")
+private const val API = "/api/v1/"
+private const val READY = "/readyz"
+private val FOR_MACHINES = setOf(ADDRESS, "/healthz", READY, "/metrics")
 private const val PROBLEM = "Problem"
 private const val UNKNOWN_CALLER = 401
 private const val NOTHING_THERE = 404
 private const val TOO_MANY = 429
+private const val AWAY = 503
 
 /** Refusals of a body: it is not what is expected, too slow, too large, or of another type. */
 private val BAD_BODIES = listOf(400, 408, 413, 415)

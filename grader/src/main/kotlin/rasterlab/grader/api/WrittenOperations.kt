@@ -1,8 +1,10 @@
 package rasterlab.grader.api
 
 import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.jsonObject
 
 /**
@@ -27,20 +29,33 @@ internal class WrittenOperations(
                 listOf("comments", "copies", "versions", "complaints", "exams", "platforms")
 
         fun read(): WrittenOperations {
-            val parts = PARTS.map(::file)
+            val parts = PARTS.associateWith(::file)
             val document = file("common")
             val components = document.getValue("components").jsonObject
-            val schemas = all(parts, "schemas") + components.getValue("schemas").jsonObject
+            val schemas = once(parts.values.map { it["schemas"] } + components["schemas"])
             return WrittenOperations(
-                all(parts, "operations").mapValues { (_, operation) -> operation.jsonObject },
+                once(parts.map { (part, file) -> tagged(file.getValue("operations").jsonObject, part) })
+                    .mapValues { (_, operation) -> operation.jsonObject },
                 JsonObject(document + ("components" to JsonObject(components + ("schemas" to JsonObject(schemas))))),
             )
         }
 
-        private fun all(
-            parts: List<JsonObject>,
-            key: String,
-        ): Map<String, JsonElement> = parts.flatMap { it[key]?.jsonObject.orEmpty().entries }.associate { it.toPair() }
+        private fun tagged(
+            operations: JsonObject,
+            part: String,
+        ) = JsonObject(
+            operations.mapValues { (_, one) ->
+                JsonObject(one.jsonObject + ("tags" to JsonArray(listOf(JsonPrimitive(part)))))
+            },
+        )
+
+        /** The entries of all the objects, none of which may stand in two. */
+        private fun once(objects: List<JsonElement?>): Map<String, JsonElement> {
+            val entries = objects.flatMap { it?.jsonObject.orEmpty().entries }
+            val twice = entries.groupBy { it.key }.filterValues { it.size > 1 }.keys
+            check(twice.isEmpty()) { "$twice stands in more than one file" }
+            return entries.associate { it.toPair() }
+        }
 
         private fun file(name: String): JsonObject {
             val place =
