@@ -98,7 +98,8 @@ class Database private constructor(
     /** Whether the disk can still take a submission and its result. */
     fun hasRoom(): Boolean = freeBytes() >= LEAST_FREE_BYTES
 
-    fun freeBytes(): Long = Files.getFileStore(folder).usableSpace
+    /** The room on the disk; it is asked for by name, since where no file is left none can be opened. */
+    fun freeBytes(): Long = folder.toFile().usableSpace
 
     /** Lets [registry] count and time how the connections are used from now on. */
     fun measure(registry: MeterRegistry) = listOf(writer, reader).forEach { it.metricRegistry = registry }

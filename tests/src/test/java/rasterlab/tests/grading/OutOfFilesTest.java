@@ -91,6 +91,8 @@ class OutOfFilesTest {
             }
             String error = ask(open.get(0), "/nothing-at-all");
             assertTrue(error.startsWith("HTTP/1.1 404 "), "without a file left: " + error);
+            String ready = ask(open.get(0), "/readyz");
+            assertTrue(ready.matches("(?s)HTTP/1.1 (200|503) .*"), "without a file left: " + ready);
         } finally {
             for (Socket socket : open) socket.close();
         }
