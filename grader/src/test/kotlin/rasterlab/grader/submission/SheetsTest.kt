@@ -159,7 +159,7 @@ class SheetsTest {
             val sheet = sheet(student)
             for (empty in listOf(sheet, sheet.replace(Regex("(?s)\"answers\": \\[.*\\]"), "\"answers\": []"))) {
                 val answer = handIn(student, empty)
-                assertTrue("answers: all 16 of them are null; answer at least one" in answer.bodyAsText())
+                assertTrue("none of the 16 questions is answered; answer at least one" in answer.bodyAsText())
                 answer.assertProblem(422, "bad-sheet")
             }
             assertEquals(sheet, sheet(student), "it was taken for an attempt")
