@@ -17,8 +17,8 @@ import java.time.Instant
  * @param course its name; null for what belongs to the whole server
  * @param subjectName what the id in [subject] is called, a submission by its student, a regrade by its exercise; null
  *     where it is none, or is gone
- * @param deletedNumber the number that the course had given the student in [subject], who was deleted; null of
- *     anybody else
+ * @param deletedNumber the number that the course had given the student in [subject], who was deleted; null for
+ *     all others
  * @param case the name of the only case that a regrade is of; null where it is of all, and of any other change
  */
 data class AuditEntry(

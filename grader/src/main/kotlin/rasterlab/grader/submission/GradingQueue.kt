@@ -255,7 +255,7 @@ class GradingQueue(
     }
 
     private companion object {
-        /** Shares of the workers: rings are taken up to the one, and looked for again below the other. */
+        /** Limits of the rings in work, as shares of the workers: below the one more are taken up, to the other at most. */
         const val LEAST = 0.5
         const val MOST = 1.0
 

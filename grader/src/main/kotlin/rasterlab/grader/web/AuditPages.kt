@@ -80,7 +80,7 @@ private fun FlowContent.subject(
     }
 }
 
-/** The exercise of an extension, before the student whose it is; empty of all else. */
+/** The exercise of an extension, before the student whose it is; empty for all other changes. */
 private fun exercise(one: AuditEntry) =
     one.subject.substringBeforeLast(' ', "").let { if (it.isEmpty()) "" else "$it, " }
 
