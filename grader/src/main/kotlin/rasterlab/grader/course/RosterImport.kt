@@ -110,7 +110,7 @@ class RosterImport(
             students
                 .flatMap { student -> student.fields.map { (it.key to it.value.lowercase()) to student } }
                 .toMap()
-        val named = students.groupBy { it.name }
+        val named = students.groupBy { Name.spaced(it.name) }
         val matches = LinkedHashMap<RosterRow, Enrolled>()
         val taken = HashMap<String, RosterRow>()
         for (row in table.rows) {

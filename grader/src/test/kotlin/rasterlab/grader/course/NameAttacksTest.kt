@@ -15,6 +15,7 @@ import io.ktor.http.HttpHeaders
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
@@ -59,6 +60,31 @@ class NameAttacksTest {
             val course = newCourse()
             assertEquals(201, join(course, "Zoe\u0308").status.value)
             assertEquals(listOf("Zo\u00EB"), names())
+        }
+
+    @Test
+    @DisplayName("two names differ by nothing but spaces, which a page does not show")
+    fun spacesMakeNoOtherName() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            for (name in listOf("Ada Lovelace", " Ada   Lovelace ", "Ada\u00A0\u3000Lovelace")) {
+                assertEquals(201, join(course, name).status.value)
+            }
+            assertEquals(List(3) { "Ada Lovelace" }, names())
+            val shown = look(instructor, "/api/v1/courses/$course/students").bodyAsText()
+            assertTrue("Ada Lovelace (2)" in shown && "Ada Lovelace (3)" in shown, shown)
+        }
+
+    @ParameterizedTest(name = "a name has U+{0}, which shows nothing")
+    @ValueSource(
+        strings = ["3164", "115F", "1160", "FFA0", "2800", "34F", "17B4", "180B", "200B", "FE0F", "E0100"],
+    )
+    fun whatShowsNothingIsNoName(code: String) =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            val point = String(Character.toChars(code.toInt(16)))
+            for (name in listOf(point, "Ada$point")) join(course, name).assertProblem(422, "bad-name")
+            assertEquals(emptyList<String>(), names())
         }
 
     @Test
