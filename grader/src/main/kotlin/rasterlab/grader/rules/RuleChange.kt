@@ -40,7 +40,9 @@ class RuleChange(
                 attempts = changed(RuleField.ATTEMPTS, before.attempts) { number(this, it, 1..MOST_ATTEMPTS) },
                 policy = told[RuleField.POLICY]?.let(::policy) ?: before.policy,
                 latePenalty =
-                    changed(RuleField.LATE_PENALTY, before.latePenalty) { number(this, it, ExerciseRules.PERCENT) }
+                    changed(RuleField.LATE_PENALTY, before.latePenalty) {
+                        number(this, it, ExerciseRules.PERCENT, "penalty")
+                    }
                         ?: 0,
             )
         if (after.opens != null && after.due != null && after.opens >= after.due) {
@@ -131,13 +133,15 @@ class RuleChange(
                 throw Rejection.BadRule("zone", text)
             }
 
+        /** @param fault the words that say what is allowed, and what nothing means */
         private fun number(
             field: RuleField,
             text: String,
             allowed: IntRange,
+            fault: String = "number",
         ): Int =
             text.toIntOrNull()?.takeIf { it in allowed }
-                ?: throw Rejection.BadRule("number", field.code, text, allowed.first, allowed.last)
+                ?: throw Rejection.BadRule(fault, field.code, text, allowed.first, allowed.last)
 
         private fun policy(text: String): CountingPolicy =
             CountingPolicy.entries.firstOrNull { it.code == text }

@@ -9,11 +9,14 @@ import io.ktor.client.request.setBody
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.CsvSource
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.ScorePoints
@@ -26,10 +29,12 @@ import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
 import rasterlab.grader.one
+import rasterlab.grader.problem.Rejection
 import rasterlab.grader.text
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
+import java.util.Locale
 
 /** Late work loses what its student agreed to, wherever points are told; each result here has 7 of 10. */
 @Tag("slow")
@@ -159,6 +164,25 @@ class LatePenaltyTest {
                 look(instructor, "/api/v1/courses/$course/exercises").json().list("exercises")[0].field("latePenalty"),
             )
         }
+
+    @ParameterizedTest(name = "a number that {0} cannot have is answered with what another field would mean, in {2}")
+    @CsvSource(
+        "latePenalty, 101, en, or nothing for no penalty",
+        "latePenalty, 101, ru, 'или ничего, если баллы не снимаются'",
+        "attempts, 0, en, or nothing for no limit",
+        "attempts, 0, ru, 'или ничего, если предела нет'",
+    )
+    fun tellsWhatNothingMeans(
+        field: String,
+        wrong: String,
+        language: String,
+        said: String,
+    ) {
+        val change = RuleChange(mapOf(RuleField.entries.first { it.code == field } to wrong))
+        val refused = assertThrows(Rejection.BadRule::class.java) { change.of(ExerciseRules()) }
+        val words = refused.said(Locale.forLanguageTag(language))
+        assertTrue(words.endsWith(said), words)
+    }
 
     private fun kotlinx.serialization.json.JsonElement.field(
         key: String,
