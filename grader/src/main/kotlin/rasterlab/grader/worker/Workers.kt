@@ -123,7 +123,7 @@ class Workers(
         }
 
     /**
-     * Asks one to take nothing more, or to take work again.
+     * Asks one to take nothing more, or to take work again; where it does so already, nothing is noted.
      *
      * @param by id of the account
      * @throws Rejection.UnknownWorker where none of that name is on the list
@@ -136,13 +136,15 @@ class Workers(
         database.write { handle ->
             val changed =
                 handle
-                    .createUpdate("UPDATE workers SET is_draining = :drains WHERE name = :name")
-                    .bind("drains", if (drains) 1 else 0)
+                    .createUpdate(
+                        "UPDATE workers SET is_draining = :drains WHERE name = :name AND is_draining <> :drains",
+                    ).bind("drains", if (drains) 1 else 0)
                     .bind("name", name)
                     .execute()
-            if (changed == 0) throw Rejection.UnknownWorker(name)
-            val action = if (drains) "worker-drain" else "worker-resume"
-            AuditNote(by, course = null, action, name, detail = "").write(handle, clock.instant())
+            if (changed > 0) {
+                val action = if (drains) "worker-drain" else "worker-resume"
+                AuditNote(by, course = null, action, name, detail = "").write(handle, clock.instant())
+            }
         }
         return all().find { it.worker.name == name } ?: throw Rejection.UnknownWorker(name)
     }

@@ -21,6 +21,7 @@ import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.cookieOf
 import rasterlab.grader.json
+import rasterlab.grader.one
 import rasterlab.grader.sendForm
 import rasterlab.grader.text
 import java.nio.file.Path
@@ -48,6 +49,17 @@ class WorkerRoutesTest {
             client.post("$WORKERS/nobody/drain") { bearer(instructor) }.assertProblem(404, "unknown-worker")
             val audit = look(instructor, "/api/v1/audit").bodyAsText()
             assertTrue("worker-drain" in audit && "worker-resume" in audit, audit)
+        }
+
+    @Test
+    @DisplayName("asking for what is so already is written as a change")
+    fun notesOnlyWhatChanged() =
+        Classroom(folder).open {
+            for (ask in listOf("resume", "resume", "drain", "drain", "resume", "resume")) {
+                assertEquals(200, client.post("$WORKERS/server/$ask") { bearer(instructor) }.status.value)
+            }
+            val noted = "SELECT count(*) FROM audit WHERE action = 'worker-"
+            assertEquals(listOf("1", "1"), listOf("drain'", "resume'").map { one(noted + it) })
         }
 
     @Test
