@@ -15,10 +15,11 @@ import java.time.Instant
  * @param byName the name of that account; empty where it has none
  * @param role of that account; empty for the server's machine
  * @param course its name; null for what belongs to the whole server
- * @param subjectName what the id in [subject] is called, a submission by its student, a regrade by its exercise; null
- *     where it is none, or is gone
+ * @param subjectName what the id in [subject] is called, a submission and an extension by its student, a regrade by its
+ *     exercise; null where it is none, or is gone
  * @param deletedNumber the number that the course had given the student in [subject], who was deleted; null for
  *     all others
+ * @param exercise the id of that of the submission in [subject]; null where that is none
  * @param case the name of the only case that a regrade is of; null where it is of all, and of any other change
  */
 data class AuditEntry(
@@ -33,6 +34,7 @@ data class AuditEntry(
     val subjectName: String?,
     val deletedNumber: Int?,
     val detail: String,
+    val exercise: String?,
     val case: String?,
 )
 
@@ -77,6 +79,7 @@ class Audit(
             row.getString("subject_name"),
             row.getString("deletion")?.let { NUMBER.find(it) }?.run { groupValues[1].toInt() },
             row.getString("detail"),
+            row.getString("exercise"),
             row.getString("case_name"),
         )
 
@@ -86,8 +89,10 @@ class Audit(
 
         private const val SELECT =
             """SELECT audit.*, doers.name AS by_name, doers.role, courses.name AS course_name, regrades.case_name,
+                   submissions.exercise,
                    deletions.detail AS deletion,
-                   coalesce(students.shown_name, others.name, earlier.name, authors.shown_name, regrades.exercise)
+                   coalesce(students.shown_name, others.name, earlier.name, authors.shown_name, extended.shown_name,
+                       regrades.exercise)
                        AS subject_name
                FROM audit
                LEFT JOIN instructors AS doers ON doers.id = audit.account_id
@@ -97,6 +102,7 @@ class Audit(
                LEFT JOIN courses AS earlier ON earlier.id = audit.subject
                LEFT JOIN submissions ON submissions.id = audit.subject
                LEFT JOIN students AS authors ON authors.id = submissions.student_id
+               LEFT JOIN students AS extended ON audit.action = 'extension' AND audit.subject LIKE '% ' || extended.id
                LEFT JOIN regrades ON regrades.id = audit.subject
                LEFT JOIN audit AS deletions ON deletions.action = 'delete'
                    AND (audit.subject = deletions.subject OR audit.subject LIKE '% ' || deletions.subject)"""

@@ -149,17 +149,10 @@ class CourseRules(
                 .bind("student", student)
                 .bind("exercise", exercise)
                 .execute()
-            if (until.isNotBlank()) {
-                insert(
-                    handle,
-                    exercise,
-                    student,
-                    extended(rules, exercise, until.trim()),
-                    reasonOf(reason),
-                )
-            }
+            val due = if (until.isBlank()) null else extended(rules, exercise, until.trim())
+            if (due != null) insert(handle, exercise, student, due, reasonOf(reason))
             LatePenalties.settle(handle, course, exercise)
-            note(handle, course, by, "extension", "$exercise $student", until.trim())
+            note(handle, course, by, "extension", "$exercise $student", due?.text().orEmpty())
             of(handle, student, exercise)
         }
 

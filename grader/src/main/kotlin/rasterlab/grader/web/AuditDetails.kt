@@ -1,9 +1,11 @@
 package rasterlab.grader.web
 
+import rasterlab.grader.comment.CommentedLines
 import rasterlab.grader.course.AuditEntry
 import rasterlab.grader.course.StaffRole
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.rules.LimitField
+import rasterlab.grader.web.comment.place
 import java.time.DateTimeException
 import java.time.Instant
 
@@ -13,6 +15,7 @@ private val POINTS = Regex("(-?\\d+), before (-?\\d+)")
 private val REGRADED = Regex("(\\S+) ([a-z]+) (\\d+)")
 private val LIMIT = Regex("([a-zA-Z]+) (\\d+|–)")
 private val CHANGE = Regex("([a-zA-Z]+): (.*)")
+private val LINES = Regex("(\\d+)(?:–(\\d+))?")
 private val NEXT_CHANGE = Regex(", (?=[a-zA-Z]+: )")
 
 /** Tells more of a change in the words of the page; what was noted, in English, where there are none for it. */
@@ -27,12 +30,32 @@ internal fun PageTexts.detail(
         "regrade" -> regraded(one, exercises)
         "points" -> told(one, POINTS, "points")
         "limits" -> limits(one.detail)
+        "extension" -> moment(one.detail)
+        "exercises" -> one.detail.split(", ").joinToString { exercise(it, exercises) }
+        "comment", "comment-answer", "comment-edit", "comment-delete", "comment-settle" -> lines(one.detail)
+        "complaint-accept", "complaint-decline" -> case(one, exercises)
         "rules" -> changes(one, "rules")
         "exam-change" -> changes(one, "exams")
         "staff-add", "staff-token", "staff-revoke" -> role(one.detail)
         "staff-course" -> one.detail.split(" → ").joinToString(" → ") { if (it == "*") say("staff.course.all") else it }
         else -> one.detail
     }
+
+/** The title of an exercise; its id where it is not here any more. */
+internal fun PageTexts.exercise(
+    id: String,
+    exercises: Exercises,
+): String = exercises.find(id)?.title(language) ?: id
+
+private fun PageTexts.case(
+    one: AuditEntry,
+    exercises: Exercises,
+): String = one.exercise?.let(exercises::find)?.caseTitle(one.detail, language) ?: one.detail
+
+private fun PageTexts.lines(text: String): String {
+    val (first, last) = LINES.matchEntire(text)?.destructured ?: return text
+    return place(CommentedLines(first.toInt(), last.ifEmpty { first }.toInt()))
+}
 
 private fun PageTexts.told(
     one: AuditEntry,

@@ -54,7 +54,7 @@ private fun FlowContent.changeTable(
             "when" to { moment(texts, it.notedAt) },
             "who" to { +texts.doer(it) },
             "what" to { +texts.action(it.action) },
-            "subject" to { subject(texts, it) },
+            "subject" to { subject(texts, it, exercises) },
             "course" to { +(it.course ?: "–") },
             "detail" to { +(if (it.detail == it.subjectName) "–" else texts.detail(it, exercises).ifEmpty { "–" }) },
         )
@@ -68,21 +68,27 @@ private fun FlowContent.changeTable(
 private fun FlowContent.subject(
     texts: PageTexts,
     one: AuditEntry,
+    exercises: Exercises,
 ) {
-    val name = one.subjectName ?: one.subject
+    val named = one.subjectName ?: one.subject
+    val name = if (isOfExercise(one)) texts.exercise(named, exercises) else named
+    val before = extended(one)?.let { texts.exercise(it, exercises) + ", " }.orEmpty()
     when {
-        one.deletedNumber != null -> gone(one, exercise(one) + texts.say("audit.deleted", "${one.deletedNumber}"))
+        one.deletedNumber != null -> gone(one, before + texts.say("audit.deleted", "${one.deletedNumber}"))
         one.subjectName == null && isOfSubmission(one) -> gone(one, texts.say("audit.deleted.submission"))
         one.subjectName == null -> +name.ifEmpty { "–" }
         isOfSubmission(one) -> a("/submissions/${one.subject}") { +name }
         one.action.startsWith("regrade") -> a("/instructor/regrades/${one.subject}") { +name }
-        else -> +name
+        else -> +(before + name)
     }
 }
 
-/** The exercise of an extension, before the student whose it is; empty for all other changes. */
-private fun exercise(one: AuditEntry) =
-    one.subject.substringBeforeLast(' ', "").let { if (it.isEmpty()) "" else "$it, " }
+private fun isOfExercise(one: AuditEntry) =
+    one.action.startsWith("regrade") || one.action in setOf("rules", "comment-group", "comment-group-drop")
+
+/** The id of the exercise of an extension, which stands before the student whose it is; null for all other changes. */
+private fun extended(one: AuditEntry): String? =
+    if (one.action == "extension") one.subject.substringBeforeLast(' ') else null
 
 /** Says what was deleted; its id, which names nobody any more, is a hint. */
 private fun FlowContent.gone(

@@ -143,7 +143,7 @@ class RegradeRoutesTest {
             for (word in listOf("grading again begun", "regrade accepted", "regrade undone")) {
                 assertTrue("<div>$word</div>" in changes, changes)
             }
-            assertTrue("""<a href="$page">draw-dot</a>""" in changes, changes)
+            assertTrue("""<a href="$page">Draw a dot</a>""" in changes, changes)
         }
 
     @Test

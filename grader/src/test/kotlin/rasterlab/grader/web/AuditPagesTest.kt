@@ -100,10 +100,56 @@ class AuditPagesTest {
             for ((language, gone) in mapOf("en" to "deleted student, No. 2", "ru" to "удалённый студент, №\u00a02")) {
                 val page = show(language)
                 val cells = Regex("<span title=\"[^\"]*$id\">([^<]*)").findAll(page).map { it.groupValues[1] }
-                assertEquals(listOf(gone, "draw-dot, $gone", gone), cells.toList(), page)
+                val exercise = Classroom.EXERCISE.title(language)
+                assertEquals(listOf(gone, "$exercise, $gone", gone), cells.toList(), page)
                 val work = PageTexts.of(language).say("audit.deleted.submission")
                 assertTrue("<span title=\"$submission\">$work" in page, page)
                 assertFalse(Regex(">[^<]*($id|$submission)").containsMatchIn(page), page)
+            }
+        }
+
+    @Test
+    @DisplayName("a moment, a line, a case or an exercise is told as it is stored")
+    fun tellsWhatIsStoredInWords() =
+        Classroom(folder).open(grades = false) {
+            val course = newCourse()
+            val submission = submit(newStudent(course)).json().text("id")
+            val student = one("SELECT id FROM students")
+            client.patch("/api/v1/courses/$course/exercises/draw-dot") {
+                bearer(instructor)
+                json("""{"deadline":"2097-03-02T12:00:00Z"}""")
+            }
+            client.put("/api/v1/courses/$course/exercises/draw-dot/extensions/$student") {
+                bearer(instructor)
+                json("""{"deadline":"2098-03-02T15:00:00+03:00","reason":"ill"}""")
+            }
+            val by = one("SELECT account_id FROM audit WHERE action = 'rules'")
+            val id = one("SELECT id FROM courses WHERE code = '$course'")
+            val noted =
+                listOf(
+                    AuditNote(by, id, "comment", submission, "3"),
+                    AuditNote(by, id, "comment-edit", submission, "3–5"),
+                    AuditNote(by, id, "complaint-accept", submission, "open-case"),
+                    AuditNote(by, id, "exercises", id, "draw-dot, gone"),
+                )
+            database.write { handle -> noted.forEach { it.write(handle, Instant.parse("2027-03-01T12:00:00Z")) } }
+            val told =
+                mapOf(
+                    "en" to listOf("line 3", "lines 3 to 5", "one pixel", "Draw a dot, gone", "Draw a dot"),
+                    "ru" to
+                        listOf(
+                            "строка 3",
+                            "строки с\u00a03 по\u00a05",
+                            "один пиксель",
+                            "Нарисуйте точку, gone",
+                            "Нарисуйте точку",
+                        ),
+                )
+            for ((language, all) in told) {
+                val page = show(language)
+                for (one in all + "2098-03-02 12:00 UTC") assertTrue("<div>$one</div>" in page, "$one: $page")
+                assertTrue("${all.last()}, Ada" in page, "whom an extension is for: $page")
+                assertFalse(Regex(">[^<]*(open-case|draw-dot|$student)").containsMatchIn(page), page)
             }
         }
 
