@@ -81,6 +81,7 @@ enum class RegradeChoice {
         graded: List<Gradable>,
         some: Collection<String>,
     ): List<Gradable> {
+        if (some.isEmpty()) throw Rejection.BadRegrade("unnamed")
         val known = graded.mapTo(mutableSetOf()) { it.submission }
         some.firstOrNull { it !in known }?.let { throw Rejection.BadRegrade("submission", it) }
         return graded.filter { it.submission in some }
@@ -90,6 +91,6 @@ enum class RegradeChoice {
         /** @throws Rejection.BadRegrade where it names no choice */
         fun named(code: String): RegradeChoice =
             entries.firstOrNull { it.code == code }
-                ?: throw Rejection.BadRegrade("choice", code, entries.joinToString { it.code })
+                ?: throw Rejection.BadRegrade("choice", code, (entries - SOME).joinToString { it.code })
     }
 }

@@ -8,7 +8,9 @@ import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
 import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
@@ -113,6 +115,27 @@ class RegradeRoutesTest {
         }
 
     @Test
+    @DisplayName("an unknown choice is answered with one that the description lacks, or a missing name is not told")
+    fun tellsTheChoicesThereAre() =
+        Classroom(folder, grading).open {
+            val course = newCourse()
+            handIn(course)
+            val choices = choices()
+            val wrong = begin(course, """{"of":"bset"}""").json().text("detail")
+            val described =
+                choices
+                    .getValue("of")
+                    .jsonObject
+                    .list("enum")
+                    .joinToString { it.jsonPrimitive.content }
+            assertTrue(wrong.endsWith("allowed are $described"), wrong)
+            val unnamed = begin(course, """{"of":"some"}""").json().text("detail")
+            assertTrue("submissions" in unnamed && "nothing" !in unnamed, unnamed)
+            begin(course, """{"submissions":[]}""").assertProblem(400, "malformed-request")
+            assertEquals("1", choices.getValue("submissions").field("minItems"))
+        }
+
+    @Test
     @DisplayName("the pages begin no regrade, do not tell who gains, forget what was chosen, or let a student in")
     fun onPages() =
         Classroom(folder, grading).open {
@@ -197,6 +220,14 @@ class RegradeRoutesTest {
             key?.let { header("Idempotency-Key", it) }
             json(body)
         }
+
+    /** The fields of a request to begin, as the description of the server has them. */
+    private suspend fun Visit.choices(): JsonObject {
+        val address =
+            listOf("paths", "/api/v1/courses/{course}/exercises/{id}/regrade", "post", "requestBody", "content") +
+                listOf("application/json", "schema", "properties")
+        return address.fold(client.get("/openapi.json").json()) { at, key -> at.getValue(key).jsonObject }
+    }
 
     private suspend fun Visit.decide(
         id: String,
