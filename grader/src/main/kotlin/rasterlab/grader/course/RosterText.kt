@@ -23,17 +23,20 @@ internal object RosterText {
         val told = Regex("""sep=(.)\R""").matchAt(text, 0)
         val body = if (told == null) text else text.substring(told.value.length)
         val schema = CsvSchema.emptySchema().withColumnSeparator(told?.run { groupValues[1][0] } ?: separator(body))
+        val before = if (told == null) 0 else 1
+        val read = mutableListOf<List<String>>()
         try {
-            return csv
+            csv
                 .readerForListOf(String::class.java)
                 .with(schema)
                 .readValues<List<String>>(body)
-                .readAll()
-                .mapIndexed { index, cells -> IndexedValue(if (told == null) index else index + 1, cells) }
-                .filter { (_, cells) -> cells.any { it.isNotBlank() } }
+                .readAll(read)
         } catch (malformed: JacksonException) {
-            throw Rejection.BadRoster("csv", malformed.originalMessage.orEmpty())
+            throw Rejection.BadRoster("csv", before + read.size + 1)
         }
+        return read
+            .mapIndexed { index, cells -> IndexedValue(before + index, cells) }
+            .filter { (_, cells) -> cells.any { it.isNotBlank() } }
     }
 
     /** The one of the three that the first line has most of, outside quotes. */

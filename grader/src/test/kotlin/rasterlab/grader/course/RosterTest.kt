@@ -111,6 +111,19 @@ class RosterTest {
         assertTrue(rejection.said(Locale.forLanguageTag("ru")).any { it in 'а'..'я' })
     }
 
+    @ParameterizedTest(name = "a wrong quotation mark is told without its line, or in a library's words: {0}")
+    @CsvSource("'Name\nAda\n\"x\nEve', 3", "'Name\n\"x\"y', 2", "'sep=;\nName\n\"x', 3")
+    fun tellsWhereAQuotationMarkIsWrong(
+        roster: String,
+        line: Int,
+    ) {
+        val rejection = assertThrows(Rejection.BadRoster::class.java) { Roster.read(roster.toByteArray()) }
+        assertTrue("line $line of the roster" in rejection.message, rejection.message)
+        val russian = rejection.said(Locale.forLanguageTag("ru"))
+        assertTrue("строка $line списка" in russian, russian)
+        assertEquals("CSV", russian.filter { it in 'a'..'z' || it in 'A'..'Z' }, russian)
+    }
+
     @Test
     @DisplayName("names in an encoding that nobody knows become wrong letters")
     fun refusesAnUnknownEncoding() {
