@@ -16,6 +16,7 @@ import rasterlab.grader.course.hasView
 import rasterlab.grader.course.sessionCookie
 import rasterlab.grader.course.viewedStudent
 import rasterlab.grader.forwarding.Forwarding
+import rasterlab.grader.problem.HiddenByExam
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.submission.Submissions
 
@@ -74,7 +75,8 @@ class ExamGuard(
         val closed = kept + missing(who)
         parts.firstOrNull(closed::contains)?.let { throw Rejection.UnknownExercise(it) }
         val submission = submissionIn(parts) ?: return
-        if (submissions.find(submission)?.exercise in kept) throw Rejection.UnknownSubmission(submission)
+        val found = submissions.find(submission)?.takeIf { it.exercise in kept } ?: return
+        throw if (found.student == who.id) HiddenByExam(submission) else Rejection.UnknownSubmission(submission)
     }
 
     /**

@@ -21,7 +21,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.NotSignedIn -> Unauthorized
         is Rejection.WrongRole, is Rejection.ForeignOrigin, is Rejection.ForeignComment -> Forbidden
         is Rejection.OnlyLooks -> Forbidden
-        is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
+        is Rejection.UnknownExercise, is Rejection.UnknownSubmission, is HiddenByExam -> NotFound
         is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
         is Rejection.UnknownCourse, is Rejection.UnknownStudent, is Rejection.UnknownStaff -> NotFound
         is Rejection.UnknownRegrade, is Rejection.UnknownAdjustment, is Rejection.UnknownComment -> NotFound

@@ -13,7 +13,9 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.assertProblem
 import rasterlab.grader.cookieOf
+import rasterlab.grader.json
 import rasterlab.grader.one
+import rasterlab.grader.text
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
@@ -59,6 +61,27 @@ open class ExamTest {
             repeat(2) { list(cookie) }
             assertEquals("class Dot { int late; } 0", one("SELECT source || ' ' || penalty FROM submissions"))
             assertEquals("opened draft draft draft hand-in end", kinds())
+        }
+
+    @Test
+    @DisplayName("own work on an exercise that an exam has is said not to exist, or work of others is said to exist")
+    fun ownWorkIsHiddenByAnExam() =
+        classroom().open(grades = false) {
+            val course = newCourse()
+            val ada = newStudent(course)
+            val eve = newStudent(course)
+            val id = submit(ada).json().text("id")
+            exam(course)
+            look(ada, "/api/v1/submissions/$id").assertProblem(404, "hidden-by-exam")
+            look(eve, "/api/v1/submissions/$id").assertProblem(404, "unknown-submission")
+            val cookie = cookieOf(ada)
+            val told = mapOf("en" to "an exam now has its exercise", "ru" to "его задание сейчас на экзамене")
+            for ((language, said) in told) {
+                val page = page("/submissions/$id?lang=$language", cookie)
+                assertEquals(404, page.status.value)
+                assertTrue(said in page.bodyAsText(), page.bodyAsText())
+            }
+            assertFalse("an exam now has" in page("/submissions/$id", cookieOf(eve)).bodyAsText())
         }
 
     @Test

@@ -20,6 +20,7 @@ import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.SourceEncoding;
 import rasterlab.exercises.score.Phrase;
 import rasterlab.grader.limits.Allowance;
+import rasterlab.grader.problem.HiddenByExam;
 import rasterlab.grader.problem.Rejection;
 
 /** The server says no in English; the window says it in its own language. */
@@ -63,6 +64,7 @@ class ServerWordsTest {
         return Stream.of(
                 new Rejection.UnknownExercise("circle"),
                 new Rejection.UnknownSubmission("7"),
+                new HiddenByExam("7"),
                 new Rejection.UnknownPicture("steep", "actual"),
                 new Rejection.UnknownCourse("XWS74GKU"),
                 new Rejection.WrongRole("student"),
