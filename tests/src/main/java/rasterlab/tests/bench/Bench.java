@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -169,7 +170,7 @@ public final class Bench implements Callable<Integer> {
             return 0;
         }
         if (group.equals(GRADER)) {
-            new GraderBench(quick, words, console.out(), GraderPart.in(only)).run();
+            new GraderBench(quick, words, console.out(), parts()).run();
             return 0;
         }
         if (group.equals(PLAN)) {
@@ -214,7 +215,16 @@ public final class Bench implements Callable<Integer> {
                 : wrong("only.none", only, String.join("; ", near));
     }
 
+    private Set<GraderPart> parts() {
+        return isGiven("--only") ? GraderPart.in(only) : GraderPart.all();
+    }
+
+    private boolean isGiven(String option) {
+        return spec.commandLine().getParseResult().hasMatchedOption(option);
+    }
+
     private void requireParts() {
+        if (!isGiven("--only")) return;
         String known = String.join(", ", GraderPart.words());
         GraderPart.unknownIn(only)
                 .ifPresent(

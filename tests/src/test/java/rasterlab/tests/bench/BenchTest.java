@@ -72,6 +72,17 @@ class BenchTest {
                 errorText());
     }
 
+    @ParameterizedTest(name = "--only ''{0}'' runs every part of the grader")
+    @ValueSource(strings = {"", " "})
+    void aListWithoutANameIsRefused(String list) {
+        assertEquals(2, run("grader", "--only", list));
+        assertTrue(
+                errorText()
+                        .startsWith(
+                                "./lab bench: the grader has no part ''; there are single, class,"),
+                errorText());
+    }
+
     @Test
     void whatDoesNotGoTogetherIsTold() {
         assertEquals(2, run("window", "--only", "line"));

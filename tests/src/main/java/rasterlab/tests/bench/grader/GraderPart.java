@@ -44,9 +44,12 @@ public enum GraderPart {
         return names(list).filter(name -> !words().contains(name)).findFirst();
     }
 
-    /** The parts that a list with commas names; all for an empty one. */
+    public static Set<GraderPart> all() {
+        return EnumSet.allOf(GraderPart.class);
+    }
+
+    /** The parts that a list with commas names. */
     public static Set<GraderPart> in(String list) {
-        if (list.isEmpty()) return EnumSet.allOf(GraderPart.class);
         List<String> named = names(list).toList();
         Set<GraderPart> chosen = EnumSet.noneOf(GraderPart.class);
         for (GraderPart part : values()) if (named.contains(part.word())) chosen.add(part);
@@ -54,6 +57,6 @@ public enum GraderPart {
     }
 
     private static Stream<String> names(String list) {
-        return Stream.of(list.split(",", -1)).map(String::strip).filter(name -> !list.isEmpty());
+        return Stream.of(list.split(",", -1)).map(String::strip);
     }
 }
