@@ -107,6 +107,12 @@ public final class Bench implements Callable<Integer> {
     private int minutes;
 
     @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "grader only: kills the same in the same order as a run that told this seed")
+    private Long seed;
+
+    @Option(
             names = "--lang",
             paramLabel = "LANGUAGE",
             description =
@@ -170,7 +176,7 @@ public final class Bench implements Callable<Integer> {
             return 0;
         }
         if (group.equals(GRADER)) {
-            new GraderBench(quick, words, console.out(), parts()).run();
+            new GraderBench(quick, words, console.out(), parts(), seed()).run();
             return 0;
         }
         if (group.equals(PLAN)) {
@@ -203,6 +209,7 @@ public final class Bench implements Callable<Integer> {
         if (minutes > 0 && !group.equals(WINDOW)) throw wrong("minutes.group", group);
         if (!only.isEmpty() && List.of(PLAN, STUDY, WINDOW).contains(group))
             throw wrong("only.group");
+        if (seed != null && !group.equals(GRADER)) throw wrong("seed.group", group);
         if (group.equals(GRADER)) {
             requireParts();
             return;
@@ -217,6 +224,10 @@ public final class Bench implements Callable<Integer> {
 
     private Set<GraderPart> parts() {
         return isGiven("--only") ? GraderPart.in(only) : GraderPart.all();
+    }
+
+    private long seed() {
+        return seed == null ? System.nanoTime() : seed;
     }
 
     private boolean isGiven(String option) {

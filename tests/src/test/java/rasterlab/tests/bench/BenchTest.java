@@ -88,12 +88,14 @@ class BenchTest {
         assertEquals(2, run("window", "--only", "line"));
         assertEquals(2, run("raster", "--minutes", "3"));
         assertEquals(2, run("window", "--minutes", "-1"));
+        assertEquals(2, run("raster", "--seed", "3"));
         assertEquals(
                 List.of(
                         "--only goes with the groups raster, pipeline, search and grader, not with"
                                 + " plan, study and window",
                         "--minutes goes with the group window, not with raster",
-                        "--minutes must be at least 0, got -1"),
+                        "--minutes must be at least 0, got -1",
+                        "--seed goes with the group grader, not with raster"),
                 errorText()
                         .lines()
                         .map(line -> line.replaceAll("^./lab bench: | \\(see.*", ""))
@@ -108,6 +110,7 @@ class BenchTest {
                 "raster --only nosuch --lang ru",
                 "grader --only nosuch --lang ru",
                 "raster --minutes 3 --lang ru",
+                "raster --seed 3 --lang ru",
                 "window --minutes x --lang ru",
                 "raster --lnag --lang ru",
                 "raster more --lang ru",

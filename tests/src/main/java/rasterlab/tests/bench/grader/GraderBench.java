@@ -39,16 +39,23 @@ public final class GraderBench {
     private final BenchWords words;
     private final PrintStream out;
     private final Set<GraderPart> parts;
+    private final long seed;
 
     /**
      * @param parts that are measured
+     * @param seed of what is killed at random
      */
     public GraderBench(
-            boolean quick, BenchWords words, PrintStream out, Collection<GraderPart> parts) {
+            boolean quick,
+            BenchWords words,
+            PrintStream out,
+            Collection<GraderPart> parts,
+            long seed) {
         this.quick = quick;
         this.words = words;
         this.out = out;
         this.parts = EnumSet.copyOf(parts);
+        this.seed = seed;
     }
 
     /**
@@ -63,7 +70,7 @@ public final class GraderBench {
         if (!loads.isEmpty()) new ServerBench(quick, words, out).run(home, loads);
         var faults = new FaultBench(home, quick, words, out);
         for (GraderPart part : parts) if (GraderPart.FAULTS.contains(part)) faults.run(part);
-        if (parts.contains(GraderPart.KILLS)) new KillTrial(quick, words, out).run(home);
+        if (parts.contains(GraderPart.KILLS)) new KillTrial(quick, seed, words, out).run(home);
     }
 
     private void single() throws IOException, InterruptedException {

@@ -52,12 +52,17 @@ final class KillTrial {
     private final BenchWords words;
     private final PrintStream out;
     private final ProgressLines progress;
-    private final long seed = System.nanoTime();
-    private final Random random = new Random(seed);
+    private final long seed;
+    private final Random random;
     private final Map<String, Integer> killed = new LinkedHashMap<>();
     private final AtomicInteger made = new AtomicInteger();
 
-    KillTrial(boolean quick, BenchWords words, PrintStream out) {
+    /**
+     * @param seed of what is killed when
+     */
+    KillTrial(boolean quick, long seed, BenchWords words, PrintStream out) {
+        this.seed = seed;
+        random = new Random(seed);
         submissions = quick ? SUBMISSIONS / QUICK : SUBMISSIONS;
         kills = quick ? KILLS / QUICK : KILLS;
         this.words = words;
@@ -152,15 +157,17 @@ final class KillTrial {
 
     private void kill(OwnPostgres postgres, ProcessHerd herd)
             throws IOException, InterruptedException {
-        int which = random.nextInt(OUT_OF);
+        // where there is no child more is drawn, which must not change the kills that follow
+        var ofKill = new Random(random.nextLong());
+        int which = ofKill.nextInt(OUT_OF);
         if (which < OF_DATABASE) {
             postgres.kill();
             postgres.start();
             count("database");
-        } else if (which < OF_DATABASE + OF_CHILD && herd.killChild(random)) {
+        } else if (which < OF_DATABASE + OF_CHILD && herd.killChild(ofKill)) {
             count("child");
         } else {
-            String name = ProcessHerd.NAMES.get(random.nextInt(ProcessHerd.NAMES.size()));
+            String name = ProcessHerd.NAMES.get(ofKill.nextInt(ProcessHerd.NAMES.size()));
             herd.killAndStart(name);
             count(ProcessHerd.isServer(name) ? "server" : "worker");
         }
