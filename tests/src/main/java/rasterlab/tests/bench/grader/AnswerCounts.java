@@ -10,9 +10,12 @@ import java.util.stream.Collectors;
 
 /** Counts a server's answers by what they say. */
 final class AnswerCounts {
+    private static final int FAILED = 500;
+    private static final int UNAVAILABLE = 503;
     private static final Pattern PROBLEM = Pattern.compile("urn:rasterlab:problem:([a-z-]+)");
 
     private final Map<String, Integer> counts = new LinkedHashMap<>();
+    private final Map<String, Integer> unexcused = new LinkedHashMap<>();
     private final String silence;
 
     /**
@@ -33,7 +36,10 @@ final class AnswerCounts {
         Matcher problem = PROBLEM.matcher(body);
         String code = problem.find() ? " " + problem.group(1) : "";
         String again = retryAfter.map(seconds -> ", Retry-After " + seconds).orElse("");
-        count(status + code + again);
+        String kind = status + code + again;
+        count(kind);
+        boolean isExcused = status == UNAVAILABLE && retryAfter.isPresent();
+        if (status >= FAILED && !isExcused) unexcused.merge(kind, 1, Integer::sum);
     }
 
     void addSilence() {
@@ -50,6 +56,15 @@ final class AnswerCounts {
 
     /** Each kind of answer with how many there were, in the order in which they came first. */
     String text() {
+        return text(counts);
+    }
+
+    /** The same of the failures that do not ask to come again; empty where there was none. */
+    String unexcusedText() {
+        return text(unexcused);
+    }
+
+    private static String text(Map<String, Integer> counts) {
         return counts.entrySet().stream()
                 .map(one -> one.getValue() + " × " + one.getKey())
                 .collect(Collectors.joining("; "));

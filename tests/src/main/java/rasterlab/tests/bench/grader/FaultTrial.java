@@ -61,7 +61,7 @@ final class FaultTrial {
     void run(boolean quick) throws IOException, InterruptedException, SQLException, NotMeasured {
         int waiting = quick ? FEW : WAITING;
         for (int k = 0; k < waiting; k++) {
-            int status = handIn(new AnswerCounts("")).statusCode();
+            int status = handIn().statusCode();
             if (status != GraderHttp.ACCEPTED)
                 throw new IOException("before the fault a hand-in is answered with " + status);
         }
@@ -69,20 +69,16 @@ final class FaultTrial {
         int left = StoredCounts.in(fault.database()).without();
         fault.begin(server);
         say("grader.fault.begins", String.valueOf(left));
-        meanwhile(quick ? LASTS_QUICK : LASTS);
-        int before = goneAfter();
-        recover(before);
+        boolean excused = meanwhile(quick ? LASTS_QUICK : LASTS);
+        fault.end();
+        int before = StoredCounts.in(fault.database()).graded();
+        recover(before, excused);
         for (int number : refused) expectAccepted(submit(number));
         keep();
     }
 
-    /** Ends the fault, and returns how many submissions were graded by then. */
-    private int goneAfter() throws IOException, InterruptedException, SQLException {
-        fault.end();
-        return StoredCounts.in(fault.database()).graded();
-    }
-
-    private void meanwhile(Duration lasts) throws InterruptedException {
+    /** Hands in for a while, and returns whether each failure told when to come again. */
+    private boolean meanwhile(Duration lasts) throws InterruptedException {
         var taken = new AnswerCounts(words.text("grader.silent"));
         var ready = new AnswerCounts(words.text("grader.silent"));
         long end = System.nanoTime() + lasts.toNanos();
@@ -94,7 +90,9 @@ final class FaultTrial {
             }
             int number = handed;
             try {
-                if (handIn(taken).statusCode() != GraderHttp.ACCEPTED) refused.add(number);
+                HttpResponse<String> answer = handIn();
+                taken.add(answer);
+                if (answer.statusCode() != GraderHttp.ACCEPTED) refused.add(number);
             } catch (IOException unanswered) {
                 taken.addSilence();
                 refused.add(number);
@@ -102,12 +100,18 @@ final class FaultTrial {
             TimeUnit.MILLISECONDS.sleep(PAUSE_BETWEEN_MILLIS);
         }
         say("grader.fault.meanwhile", taken.text(), ready.text());
+        return isExcused("grader.fault.unexcused", taken)
+                & isExcused("grader.fault.unready", ready);
     }
 
-    private HttpResponse<String> handIn(AnswerCounts counts)
-            throws IOException, InterruptedException {
+    private boolean isExcused(String key, AnswerCounts answers) {
+        String unexcused = answers.unexcusedText();
+        if (!unexcused.isEmpty()) say(key, unexcused);
+        return unexcused.isEmpty();
+    }
+
+    private HttpResponse<String> handIn() throws IOException, InterruptedException {
         HttpResponse<String> answer = submit(handed++);
-        counts.add(answer);
         if (answer.statusCode() == GraderHttp.ACCEPTED) accepted.add(GraderHttp.id(answer));
         return answer;
     }
@@ -126,18 +130,18 @@ final class FaultTrial {
 
     /**
      * @param before submissions that were graded when the fault ended
+     * @param excused whether each failure meanwhile told when to come again
      */
-    private void recover(int before) throws InterruptedException, SQLException {
+    private void recover(int before, boolean excused) throws InterruptedException, SQLException {
         long end = System.nanoTime();
         double ready = secondsUntil(end, () -> http.ready().statusCode() == GraderHttp.OK);
-        var again = new AnswerCounts("");
         int number = handed;
         double taken =
                 secondsUntil(
                         end,
                         () -> {
                             handed = number;
-                            return handIn(again).statusCode() == GraderHttp.ACCEPTED;
+                            return handIn().statusCode() == GraderHttp.ACCEPTED;
                         });
         double graded =
                 secondsUntil(end, () -> StoredCounts.in(fault.database()).graded() > before);
@@ -146,7 +150,7 @@ final class FaultTrial {
                 text(ready),
                 text(taken),
                 String.valueOf(Math.round(GOAL_RECOVERED)),
-                met(Math.max(ready, taken) <= GOAL_RECOVERED),
+                met(excused && Math.max(ready, taken) <= GOAL_RECOVERED),
                 text(graded));
     }
 

@@ -26,4 +26,17 @@ class AnswerCountsTest {
                 counts.text());
         assertEquals(6, counts.total());
     }
+
+    @Test
+    @DisplayName("an error of the server passes for being told to come again")
+    void tellsFailuresThatDoNotAskToComeAgain() {
+        counts.add(202, "", Optional.empty());
+        counts.add(429, "", Optional.empty());
+        counts.add(503, "", Optional.of("5"));
+        counts.addSilence();
+        assertEquals("", counts.unexcusedText());
+        counts.add(503, "", Optional.empty());
+        counts.add(500, "", Optional.of("5"));
+        assertEquals("1 × 503; 1 × 500, Retry-After 5", counts.unexcusedText());
+    }
 }
