@@ -74,7 +74,8 @@ final class FaultTrial {
         int before = StoredCounts.in(fault.database()).graded();
         recover(before, excused);
         for (int number : refused) expectAccepted(submit(number));
-        keep();
+        awaitResults();
+        tellKept();
     }
 
     /** Hands in for a while, and returns whether each failure told when to come again. */
@@ -176,11 +177,29 @@ final class FaultTrial {
         }
     }
 
-    /** Waits for all results, and says whether each accepted submission has one. */
-    private void keep() throws IOException, InterruptedException, SQLException {
+    /** Returns when all have a result, or none has come for minutes. */
+    private void awaitResults() throws InterruptedException, SQLException {
+        var progress = new ProgressLines(out);
+        int last = -1;
+        long lastMove = System.nanoTime();
+        while (last < accepted.size() && System.nanoTime() - lastMove < PATIENCE_NANOS) {
+            int graded = StoredCounts.in(fault.database()).graded();
+            if (graded != last) lastMove = System.nanoTime();
+            last = graded;
+            progress.tell(
+                    words.text(
+                            "grader.fault.progress",
+                            String.valueOf(graded),
+                            String.valueOf(accepted.size())));
+            TimeUnit.MILLISECONDS.sleep(PAUSE_BETWEEN_MILLIS);
+        }
+    }
+
+    /** Says whether each accepted submission has one result. */
+    private void tellKept() throws IOException, InterruptedException, SQLException {
         int right = 0;
         for (String id : accepted)
-            if (server.graded(student, id).path("verdict").asText().equals("ok")) right++;
+            if (http.result(student, id).path("verdict").asText().equals("ok")) right++;
         StoredCounts stored = StoredCounts.in(fault.database());
         int all = accepted.size();
         say(
