@@ -101,8 +101,9 @@ final class FaultTrial {
             TimeUnit.MILLISECONDS.sleep(PAUSE_BETWEEN_MILLIS);
         }
         say("grader.fault.meanwhile", taken.text(), ready.text());
-        return isExcused("grader.fault.unexcused", taken)
-                & isExcused("grader.fault.unready", ready);
+        boolean takenExcused = isExcused("grader.fault.unexcused", taken);
+        boolean readyExcused = isExcused("grader.fault.unready", ready);
+        return takenExcused && readyExcused;
     }
 
     private boolean isExcused(String key, AnswerCounts answers) {

@@ -10,7 +10,10 @@ import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.time.Duration;
-import java.util.stream.Stream;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /**
  * Asks a server over its API, as programs do.
@@ -21,6 +24,7 @@ record GraderHttp(HttpClient http, URI address, Duration limit) {
     static final int OK = 200;
     static final int ACCEPTED = 202;
     private static final Duration PATIENT = Duration.ofMinutes(5);
+    private static final int GRADED_MINUTES = 5;
     private static final ObjectMapper JSON = new ObjectMapper();
 
     static GraderHttp of(URI address) {
@@ -77,16 +81,42 @@ record GraderHttp(HttpClient http, URI address, Duration limit) {
         return send(request("/readyz", ""));
     }
 
-    /** Waits until a submission is graded, and returns its result. */
+    /**
+     * Waits until a submission is graded, and returns its result.
+     *
+     * @throws IOException where the server ends before, or takes more than {@value #GRADED_MINUTES}
+     *     minutes
+     */
     JsonNode graded(String student, String id) throws IOException, InterruptedException {
-        HttpResponse<Stream<String>> events =
-                http.send(
-                        request("/api/v1/submissions/" + id + "/events", student).build(),
-                        BodyHandlers.ofLines());
-        try (var lines = events.body()) {
-            lines.anyMatch(line -> line.contains("event: done"));
-        }
+        return graded(student, id, Duration.ofMinutes(GRADED_MINUTES));
+    }
+
+    /**
+     * @param longest time for all events, from the first to the last
+     */
+    JsonNode graded(String student, String id, Duration longest)
+            throws IOException, InterruptedException {
+        String told = events(student, id, longest);
+        if (!told.contains("event: done"))
+            throw new IOException("the events of submission " + id + " ended without its result");
         return result(student, id);
+    }
+
+    private String events(String student, String id, Duration longest)
+            throws IOException, InterruptedException {
+        HttpRequest question = request("/api/v1/submissions/" + id + "/events", student).build();
+        CompletableFuture<HttpResponse<String>> events =
+                http.sendAsync(question, BodyHandlers.ofString());
+        try {
+            return events.get(longest.toNanos(), TimeUnit.NANOSECONDS).body();
+        } catch (TimeoutException late) {
+            String limit = longest.toSeconds() + " s";
+            throw new IOException("submission " + id + " has no result after " + limit, late);
+        } catch (ExecutionException failed) {
+            throw unanswered(failed.getCause());
+        } finally {
+            events.cancel(true);
+        }
     }
 
     /** The state of a submission, and its result where there is one. */
@@ -107,7 +137,16 @@ record GraderHttp(HttpClient http, URI address, Duration limit) {
 
     private HttpResponse<String> send(HttpRequest.Builder request)
             throws IOException, InterruptedException {
-        return http.send(request.build(), BodyHandlers.ofString());
+        try {
+            return http.send(request.build(), BodyHandlers.ofString());
+        } catch (IOException failed) {
+            throw unanswered(failed);
+        }
+    }
+
+    /** What the client says itself is often nothing, or of its insides. */
+    private IOException unanswered(Throwable failed) {
+        return new IOException("the server at " + address + " does not answer", failed);
     }
 
     private static JsonNode read(HttpResponse<String> answer) throws IOException {
