@@ -109,7 +109,8 @@ public final class Bench implements Callable<Integer> {
     @Option(
             names = "--seed",
             paramLabel = "N",
-            description = "grader only: kills the same in the same order as a run that told this seed")
+            description =
+                    "grader only: kills the same in the same order as a run that told this seed")
     private Long seed;
 
     @Option(
@@ -176,8 +177,10 @@ public final class Bench implements Callable<Integer> {
             return 0;
         }
         if (group.equals(GRADER)) {
-            new GraderBench(quick, words, console.out(), parts(), seed()).run();
-            return 0;
+            boolean measured =
+                    new GraderBench(quick, words, console.out(), console.err(), parts(), seed())
+                            .run();
+            return measured ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
         }
         if (group.equals(PLAN)) {
             new PlanBench(quick, words, console.out()).run();

@@ -62,13 +62,13 @@ final class BenchServer {
     /**
      * Starts one on new data.
      *
-     * @param errors the file for what it says on its standard error
+     * @param folder for what it says on its standard error
      * @param all which it is one of from its start
      * @throws IOException when it does not start
      */
-    static BenchServer start(LabCall call, Path errors, Belongings all)
+    static BenchServer start(LabCall call, BenchFolder folder, Belongings all)
             throws IOException, InterruptedException {
-        return new BenchServer(all.add(() -> LabProcess.start(call, errors)));
+        return new BenchServer(all.add(() -> LabProcess.start(call, folder.errors("server"))));
     }
 
     URI address() {

@@ -1,7 +1,6 @@
 package rasterlab.tests.bench.grader;
 
 import java.io.IOException;
-import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -13,12 +12,12 @@ final class FaultBench {
     private final Path home;
     private final boolean quick;
     private final BenchWords words;
-    private final PrintStream out;
+    private final MeasuredLines out;
 
     /**
      * @param home folder of the program
      */
-    FaultBench(Path home, boolean quick, BenchWords words, PrintStream out) {
+    FaultBench(Path home, boolean quick, BenchWords words, MeasuredLines out) {
         this.home = home;
         this.quick = quick;
         this.words = words;
@@ -73,11 +72,14 @@ final class FaultBench {
             throws IOException, InterruptedException, SQLException {
         String said = words.text("grader.fault." + name);
         try (var all = new Belongings()) {
-            Path folder = all.add(BenchFolder::make).path();
-            ServerFault fault = maker.make(folder, all);
-            LabCall call = fault.of(LabCall.serve(home, fault.data()));
-            BenchServer server = BenchServer.start(call, folder.resolve("errors"), all);
-            new FaultTrial(said, fault, server, words, out).run(quick);
+            BenchFolder folder = all.add(BenchFolder::make);
+            folder.keepingLogs(
+                    () -> {
+                        ServerFault fault = maker.make(folder.path(), all);
+                        LabCall call = fault.of(LabCall.serve(home, fault.data()));
+                        BenchServer server = BenchServer.start(call, folder, all);
+                        new FaultTrial(said, fault, server, words, out).run(quick);
+                    });
         } catch (NotMeasured missing) {
             out.println(words.text("grader.unmeasured", said, missing.in(words)));
         }
@@ -86,9 +88,9 @@ final class FaultBench {
     /** How many files a server has open that has graded and waits. */
     private int filesAtRest() throws IOException, InterruptedException, NotMeasured {
         try (var all = new Belongings()) {
-            Path folder = all.add(BenchFolder::make).path();
-            LabCall call = LabCall.serve(home, folder.resolve("course"));
-            BenchServer server = BenchServer.start(call, folder.resolve("errors"), all);
+            BenchFolder folder = all.add(BenchFolder::make);
+            LabCall call = LabCall.serve(home, folder.path().resolve("course"));
+            BenchServer server = BenchServer.start(call, folder, all);
             String student = server.join("Student");
             String source = BenchSources.right();
             server.graded(

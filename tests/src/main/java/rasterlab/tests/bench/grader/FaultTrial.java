@@ -1,7 +1,6 @@
 package rasterlab.tests.bench.grader;
 
 import java.io.IOException;
-import java.io.PrintStream;
 import java.net.http.HttpResponse;
 import java.sql.SQLException;
 import java.time.Duration;
@@ -34,7 +33,7 @@ final class FaultTrial {
     private final ServerFault fault;
     private final BenchServer server;
     private final BenchWords words;
-    private final PrintStream out;
+    private final MeasuredLines out;
     private final String student;
     private final GraderHttp http;
     private final List<String> accepted = new ArrayList<>();
@@ -46,7 +45,7 @@ final class FaultTrial {
      * @param server that was started as the fault needs it
      */
     FaultTrial(
-            String name, ServerFault fault, BenchServer server, BenchWords words, PrintStream out)
+            String name, ServerFault fault, BenchServer server, BenchWords words, MeasuredLines out)
             throws IOException, InterruptedException {
         this.name = name;
         this.fault = fault;

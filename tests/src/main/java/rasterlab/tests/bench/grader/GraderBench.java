@@ -7,10 +7,13 @@ import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.EnumSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import rasterlab.app.language.Language;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
@@ -37,11 +40,13 @@ public final class GraderBench {
 
     private final boolean quick;
     private final BenchWords words;
-    private final PrintStream out;
+    private final MeasuredLines out;
+    private final MeasuredLines err;
     private final Set<GraderPart> parts;
     private final long seed;
 
     /**
+     * @param err for why a part fails
      * @param parts that are measured
      * @param seed of what is killed at random
      */
@@ -49,28 +54,74 @@ public final class GraderBench {
             boolean quick,
             BenchWords words,
             PrintStream out,
+            PrintStream err,
             Collection<GraderPart> parts,
             long seed) {
         this.quick = quick;
         this.words = words;
-        this.out = out;
+        this.out = new MeasuredLines(out);
+        this.err = new MeasuredLines(err);
         this.parts = EnumSet.copyOf(parts);
         this.seed = seed;
     }
 
     /**
      * Prints the times of single gradings on each Java, of many one after another, and what a
-     * server makes of a class, a burst and an attack, of faults of the machine and of kills.
+     * server makes of a class, a burst and an attack, of faults of the machine and of kills. A part
+     * that fails leaves the others.
+     *
+     * @return whether none failed
      */
-    public void run() throws IOException, InterruptedException, SQLException {
-        if (parts.contains(GraderPart.SINGLE)) single();
+    public boolean run() throws InterruptedException {
+        boolean measured = true;
+        for (var one : work().entrySet())
+            if (!out.isOver()) measured &= isMeasured(one.getKey(), one.getValue());
+        return measured;
+    }
+
+    /** Measures a part. */
+    private interface PartWork {
+        void run() throws IOException, InterruptedException, SQLException;
+    }
+
+    /** What there is to do, in that order, by the names of the parts. */
+    private Map<String, PartWork> work() {
+        var work = new LinkedHashMap<String, PartWork>();
+        if (parts.contains(GraderPart.SINGLE)) work.put(GraderPart.SINGLE.word(), this::single);
         Path home = Path.of(System.getProperty("rasterlab.home", "."));
         Set<GraderPart> loads = EnumSet.copyOf(GraderPart.LOADS);
         loads.retainAll(parts);
-        if (!loads.isEmpty()) new ServerBench(quick, words, out).run(home, loads);
+        if (!loads.isEmpty())
+            work.put(
+                    loads.stream().map(GraderPart::word).collect(Collectors.joining(", ")),
+                    () -> new ServerBench(quick, words, out).run(home, loads));
         var faults = new FaultBench(home, quick, words, out);
-        for (GraderPart part : parts) if (GraderPart.FAULTS.contains(part)) faults.run(part);
-        if (parts.contains(GraderPart.KILLS)) new KillTrial(quick, seed, words, out).run(home);
+        for (GraderPart part : parts)
+            if (GraderPart.FAULTS.contains(part)) work.put(part.word(), () -> faults.run(part));
+        if (parts.contains(GraderPart.KILLS))
+            work.put(
+                    GraderPart.KILLS.word(),
+                    () -> new KillTrial(quick, seed, words, out).run(home));
+        return work;
+    }
+
+    private boolean isMeasured(String name, PartWork work) throws InterruptedException {
+        try {
+            work.run();
+            return true;
+        } catch (IOException | SQLException | IllegalStateException failed) {
+            err.println(sentence(name, failed, words));
+            return false;
+        }
+    }
+
+    /** Says in a line what failed, and where the logs of its servers are. */
+    static String sentence(String part, Exception failed, BenchWords words) {
+        String message = failed.getMessage();
+        String said = message == null ? failed.toString() : message.strip().replaceAll("\\s+", " ");
+        return failed instanceof LoggedFailure logged
+                ? words.text("grader.failed.logs", part, said, logged.logs())
+                : words.text("grader.failed", part, said);
     }
 
     private void single() throws IOException, InterruptedException {

@@ -1,7 +1,6 @@
 package rasterlab.tests.bench.grader;
 
 import java.io.IOException;
-import java.io.PrintStream;
 import java.nio.file.Path;
 import java.sql.SQLException;
 import java.time.Duration;
@@ -50,7 +49,7 @@ final class KillTrial {
     private final int submissions;
     private final int kills;
     private final BenchWords words;
-    private final PrintStream out;
+    private final MeasuredLines out;
     private final ProgressLines progress;
     private final long seed;
     private final Random random;
@@ -60,7 +59,7 @@ final class KillTrial {
     /**
      * @param seed of what is killed when
      */
-    KillTrial(boolean quick, long seed, BenchWords words, PrintStream out) {
+    KillTrial(boolean quick, long seed, BenchWords words, MeasuredLines out) {
         this.seed = seed;
         random = new Random(seed);
         submissions = quick ? SUBMISSIONS / QUICK : SUBMISSIONS;
@@ -79,9 +78,13 @@ final class KillTrial {
         try (var all = new Belongings()) {
             OwnPostgres postgres = OwnPostgres.start(all);
             postgres.create(DATABASE);
-            Path folder = all.add(BenchFolder::make).path();
-            var herd = new ProcessHerd(home, folder, postgres.address(DATABASE), all);
-            run(postgres, herd);
+            BenchFolder folder = all.add(BenchFolder::make);
+            folder.keepingLogs(
+                    () ->
+                            run(
+                                    postgres,
+                                    new ProcessHerd(
+                                            home, folder, postgres.address(DATABASE), all)));
         } catch (NotMeasured missing) {
             String name = words.text("grader.kills");
             out.println(words.text("grader.unmeasured", name, missing.in(words)));

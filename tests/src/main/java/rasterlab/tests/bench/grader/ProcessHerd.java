@@ -19,7 +19,7 @@ final class ProcessHerd {
     static final List<String> NAMES = Stream.concat(SERVERS.stream(), WORKERS.stream()).toList();
 
     private final Path home;
-    private final Path folder;
+    private final BenchFolder folder;
     private final String database;
     private final Belongings all;
     private final Map<String, LabProcess> running = new ConcurrentHashMap<>();
@@ -33,7 +33,7 @@ final class ProcessHerd {
      * @param folder for the data of each
      * @param database the address that they are given
      */
-    ProcessHerd(Path home, Path folder, String database, Belongings all) throws IOException {
+    ProcessHerd(Path home, BenchFolder folder, String database, Belongings all) throws IOException {
         this.home = home;
         this.folder = folder;
         this.database = database;
@@ -58,9 +58,9 @@ final class ProcessHerd {
     }
 
     private void start(String name) throws IOException {
-        Path data = folder.resolve(name);
+        Path data = folder.path().resolve(name);
         LabCall call = isServer(name) ? LabCall.serve(home, data) : LabCall.worker(home, data);
-        Path errors = folder.resolve(name + ".errors");
+        Path errors = folder.errors(name);
         LabCall shared = call.with("--db", database, "--name", name);
         LabProcess process = all.add(() -> LabProcess.start(shared, errors));
         running.put(name, process);

@@ -1,16 +1,15 @@
 package rasterlab.tests.bench.grader;
 
-import java.io.PrintStream;
 import java.time.Duration;
 
 /** Says now and then how far a part is that takes long. */
 final class ProgressLines {
     private static final Duration PAUSE = Duration.ofSeconds(15);
 
-    private final PrintStream out;
+    private final MeasuredLines out;
     private long last = System.nanoTime();
 
-    ProgressLines(PrintStream out) {
+    ProgressLines(MeasuredLines out) {
         this.out = out;
     }
 

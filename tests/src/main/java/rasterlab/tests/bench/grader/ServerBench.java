@@ -2,9 +2,9 @@ package rasterlab.tests.bench.grader;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
-import java.io.PrintStream;
 import java.net.http.HttpResponse;
 import java.nio.file.Path;
+import java.sql.SQLException;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -48,10 +48,10 @@ final class ServerBench {
 
     private final boolean quick;
     private final BenchWords words;
-    private final PrintStream out;
+    private final MeasuredLines out;
     private final String right = BenchSources.right();
 
-    ServerBench(boolean quick, BenchWords words, PrintStream out) {
+    ServerBench(boolean quick, BenchWords words, MeasuredLines out) {
         this.quick = quick;
         this.words = words;
         this.out = out;
@@ -63,17 +63,25 @@ final class ServerBench {
      * @param home folder of the program
      * @param loads in whose order they come
      */
-    void run(Path home, Collection<GraderPart> loads) throws IOException, InterruptedException {
+    void run(Path home, Collection<GraderPart> loads)
+            throws IOException, InterruptedException, SQLException {
         try (var all = new Belongings()) {
-            Path folder = all.add(BenchFolder::make).path();
-            LabCall call = LabCall.serve(home, folder.resolve("course"));
-            BenchServer server = BenchServer.start(call, folder.resolve("errors"), all);
-            List<String> students = new ArrayList<>();
-            for (int k = 0; k < some(CLASS); k++) students.add(server.join("Student " + k));
-            for (GraderPart load : loads) {
-                put(load, server, students);
-                memory(server);
-            }
+            BenchFolder folder = all.add(BenchFolder::make);
+            folder.keepingLogs(
+                    () -> {
+                        LabCall call = LabCall.serve(home, folder.path().resolve("course"));
+                        put(loads, BenchServer.start(call, folder, all));
+                    });
+        }
+    }
+
+    private void put(Collection<GraderPart> loads, BenchServer server)
+            throws IOException, InterruptedException {
+        List<String> students = new ArrayList<>();
+        for (int k = 0; k < some(CLASS); k++) students.add(server.join("Student " + k));
+        for (GraderPart load : loads) {
+            put(load, server, students);
+            memory(server);
         }
     }
 

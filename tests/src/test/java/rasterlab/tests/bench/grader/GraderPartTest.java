@@ -31,7 +31,14 @@ class GraderPartTest {
     @ParameterizedTest(name = "in --only {0} another name is called unknown, or none")
     @CsvSource(
             delimiter = '|',
-            value = {"nosuch|nosuch", "disk,nosuch,worse|nosuch", "DISK|DISK", "disk,|''", "''|''", "' '|''"})
+            value = {
+                "nosuch|nosuch",
+                "disk,nosuch,worse|nosuch",
+                "DISK|DISK",
+                "disk,|''",
+                "''|''",
+                "' '|''"
+            })
     void findsTheFirstNameThatNoPartHas(String list, String unknown) {
         assertEquals(Optional.of(unknown), GraderPart.unknownIn(list));
     }
