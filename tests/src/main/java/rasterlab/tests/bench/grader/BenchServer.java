@@ -63,12 +63,12 @@ final class BenchServer {
      * Starts one on new data.
      *
      * @param folder for what it says on its standard error
-     * @param all which it is one of from its start
+     * @param belongings which it is one of from its start
      * @throws IOException when it does not start
      */
-    static BenchServer start(LabCall call, BenchFolder folder, Belongings all)
+    static BenchServer start(LabCall call, BenchFolder folder, Belongings belongings)
             throws IOException, InterruptedException {
-        return new BenchServer(all.add(() -> LabProcess.start(call, folder.errors("server"))));
+        return new BenchServer(belongings.add(() -> LabProcess.start(call, folder.errors("server"))));
     }
 
     URI address() {

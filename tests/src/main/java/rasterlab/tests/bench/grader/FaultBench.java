@@ -27,32 +27,32 @@ final class FaultBench {
     /** Prints what a fault did, or why it was not measured. */
     void run(GraderPart part) throws IOException, InterruptedException, SQLException {
         if (part == GraderPart.CLOCK) {
-            run("ahead", (folder, all) -> clock(folder, 1, all));
-            run("back", (folder, all) -> clock(folder, -1, all));
+            run("ahead", (folder, belongings) -> clock(folder, 1, belongings));
+            run("back", (folder, belongings) -> clock(folder, -1, belongings));
             return;
         }
-        run(part.word(), (folder, all) -> fault(part, folder, all));
+        run(part.word(), (folder, belongings) -> fault(part, folder, belongings));
     }
 
-    private static SetClock clock(Path folder, int hours, Belongings all)
+    private static SetClock clock(Path folder, int hours, Belongings belongings)
             throws IOException, NotMeasured {
         SetClock clock = SetClock.in(folder, hours);
-        return all.add(() -> clock);
+        return belongings.add(() -> clock);
     }
 
-    private ServerFault fault(GraderPart part, Path folder, Belongings all)
+    private ServerFault fault(GraderPart part, Path folder, Belongings belongings)
             throws IOException, InterruptedException, SQLException, NotMeasured {
         return switch (part) {
             case DISK -> {
                 Path mounted = Files.createDirectory(folder.resolve("disk"));
-                yield new FullDisk(all.add(() -> new SmallDisk(mounted)).mount());
+                yield new FullDisk(belongings.add(() -> new SmallDisk(mounted)).mount());
             }
-            case READONLY -> all.add(() -> new ReadOnlyFiles(folder)).tried();
-            case LOCKED -> all.add(() -> new LockedFile(folder));
-            case DATABASE -> new LostPostgres(folder, OwnPostgres.start(all)).withDatabase();
+            case READONLY -> belongings.add(() -> new ReadOnlyFiles(folder)).tried();
+            case LOCKED -> belongings.add(() -> new LockedFile(folder));
+            case DATABASE -> new LostPostgres(folder, OwnPostgres.start(belongings)).withDatabase();
             case FILES -> {
                 int atRest = filesAtRest();
-                yield all.add(() -> new NoFilesLeft(folder, atRest));
+                yield belongings.add(() -> new NoFilesLeft(folder, atRest));
             }
             default -> throw new IllegalArgumentException("no single fault: " + part);
         };
@@ -62,22 +62,22 @@ final class FaultBench {
     private interface FaultMaker {
         /**
          * @param folder in which it may put what it needs
-         * @param all that is ended after it
+         * @param belongings that is ended after it
          */
-        ServerFault make(Path folder, Belongings all)
+        ServerFault make(Path folder, Belongings belongings)
                 throws IOException, InterruptedException, SQLException, NotMeasured;
     }
 
     private void run(String name, FaultMaker maker)
             throws IOException, InterruptedException, SQLException {
         String said = words.text("grader.fault." + name);
-        try (var all = new Belongings()) {
-            BenchFolder folder = all.add(BenchFolder::make);
+        try (var belongings = new Belongings()) {
+            BenchFolder folder = belongings.add(BenchFolder::make);
             folder.keepingLogs(
                     () -> {
-                        ServerFault fault = maker.make(folder.path(), all);
+                        ServerFault fault = maker.make(folder.path(), belongings);
                         LabCall call = fault.of(LabCall.serve(home, fault.data()));
-                        BenchServer server = BenchServer.start(call, folder, all);
+                        BenchServer server = BenchServer.start(call, folder, belongings);
                         new FaultTrial(said, fault, server, words, out).run(quick);
                     });
         } catch (NotMeasured missing) {
@@ -87,10 +87,10 @@ final class FaultBench {
 
     /** How many files a server has open that has graded and waits. */
     private int filesAtRest() throws IOException, InterruptedException, NotMeasured {
-        try (var all = new Belongings()) {
-            BenchFolder folder = all.add(BenchFolder::make);
+        try (var belongings = new Belongings()) {
+            BenchFolder folder = belongings.add(BenchFolder::make);
             LabCall call = LabCall.serve(home, folder.path().resolve("course"));
-            BenchServer server = BenchServer.start(call, folder, all);
+            BenchServer server = BenchServer.start(call, folder, belongings);
             String student = server.join("Student");
             String source = BenchSources.right();
             server.graded(

@@ -65,7 +65,7 @@ final class FaultTrial {
                 throw new IOException("before the fault a hand-in is answered with " + status);
         }
         server.graded(student, accepted.get(0));
-        int left = StoredCounts.in(fault.database()).without();
+        int left = StoredCounts.in(fault.database()).ungraded();
         fault.begin(server);
         say("grader.fault.begins", String.valueOf(left));
         boolean excused = meanwhile(quick ? LASTS_QUICK : LASTS);
@@ -205,9 +205,9 @@ final class FaultTrial {
         say(
                 "grader.fault.kept",
                 String.valueOf(all),
-                String.valueOf(stored.once()),
-                String.valueOf(stored.without()),
-                String.valueOf(stored.more()),
+                String.valueOf(stored.gradedOnce()),
+                String.valueOf(stored.ungraded()),
+                String.valueOf(stored.gradedMoreOften()),
                 String.valueOf(right),
                 met(stored.equals(new StoredCounts(0, all, 0)) && right == all));
     }

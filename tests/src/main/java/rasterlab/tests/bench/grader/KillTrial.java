@@ -75,16 +75,16 @@ final class KillTrial {
      * @param home folder of the program
      */
     void run(Path home) throws IOException, InterruptedException, SQLException {
-        try (var all = new Belongings()) {
-            OwnPostgres postgres = OwnPostgres.start(all);
+        try (var belongings = new Belongings()) {
+            OwnPostgres postgres = OwnPostgres.start(belongings);
             postgres.create(DATABASE);
-            BenchFolder folder = all.add(BenchFolder::make);
+            BenchFolder folder = belongings.add(BenchFolder::make);
             folder.keepingLogs(
                     () ->
                             run(
                                     postgres,
                                     new ProcessHerd(
-                                            home, folder, postgres.address(DATABASE), all)));
+                                            home, folder, postgres.address(DATABASE), belongings)));
         } catch (NotMeasured missing) {
             String name = words.text("grader.kills");
             out.println(words.text("grader.unmeasured", name, missing.in(words)));

@@ -21,7 +21,7 @@ final class ProcessHerd {
     private final Path home;
     private final BenchFolder folder;
     private final String database;
-    private final Belongings all;
+    private final Belongings belongings;
     private final Map<String, LabProcess> running = new ConcurrentHashMap<>();
     private final Map<String, URI> addresses = new ConcurrentHashMap<>();
     private final String instructor;
@@ -33,11 +33,11 @@ final class ProcessHerd {
      * @param folder for the data of each
      * @param database the address that they are given
      */
-    ProcessHerd(Path home, BenchFolder folder, String database, Belongings all) throws IOException {
+    ProcessHerd(Path home, BenchFolder folder, String database, Belongings belongings) throws IOException {
         this.home = home;
         this.folder = folder;
         this.database = database;
-        this.all = all;
+        this.belongings = belongings;
         start(NAMES.get(0));
         // the first makes the tables, and says the token once
         instructor = running.get(NAMES.get(0)).after(BenchServer.TOKEN);
@@ -62,7 +62,7 @@ final class ProcessHerd {
         LabCall call = isServer(name) ? LabCall.serve(home, data) : LabCall.worker(home, data);
         Path errors = folder.errors(name);
         LabCall shared = call.with("--db", database, "--name", name);
-        LabProcess process = all.add(() -> LabProcess.start(shared, errors));
+        LabProcess process = belongings.add(() -> LabProcess.start(shared, errors));
         running.put(name, process);
         if (isServer(name)) addresses.put(name, URI.create(process.after(BenchServer.LISTENING)));
         else process.after("grading as ");

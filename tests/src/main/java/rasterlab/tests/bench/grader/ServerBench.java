@@ -65,12 +65,12 @@ final class ServerBench {
      */
     void run(Path home, Collection<GraderPart> loads)
             throws IOException, InterruptedException, SQLException {
-        try (var all = new Belongings()) {
-            BenchFolder folder = all.add(BenchFolder::make);
+        try (var belongings = new Belongings()) {
+            BenchFolder folder = belongings.add(BenchFolder::make);
             folder.keepingLogs(
                     () -> {
                         LabCall call = LabCall.serve(home, folder.path().resolve("course"));
-                        put(loads, BenchServer.start(call, folder, all));
+                        put(loads, BenchServer.start(call, folder, belongings));
                     });
         }
     }

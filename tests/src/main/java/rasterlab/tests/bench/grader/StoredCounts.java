@@ -9,11 +9,11 @@ import java.sql.Statement;
 /**
  * How many submissions a server's database has, by their results.
  *
- * @param without a result
- * @param once with one
- * @param more with several
+ * @param ungraded those without a result
+ * @param gradedOnce those with one
+ * @param gradedMoreOften those with several
  */
-record StoredCounts(int without, int once, int more) {
+record StoredCounts(int ungraded, int gradedOnce, int gradedMoreOften) {
     private static final String RESULTS =
             "SELECT count(r.submission_id) AS results FROM submissions s"
                     + " LEFT JOIN results r ON r.submission_id = s.id GROUP BY s.id";
@@ -35,10 +35,10 @@ record StoredCounts(int without, int once, int more) {
     }
 
     int graded() {
-        return once + more;
+        return gradedOnce + gradedMoreOften;
     }
 
     int submissions() {
-        return without + graded();
+        return ungraded + graded();
     }
 }
