@@ -68,7 +68,8 @@ final class BenchServer {
      */
     static BenchServer start(LabCall call, BenchFolder folder, Belongings belongings)
             throws IOException, InterruptedException {
-        return new BenchServer(belongings.add(() -> LabProcess.start(call, folder.errors("server"))));
+        return new BenchServer(
+                belongings.add(() -> LabProcess.start(call, folder.errors("server"))));
     }
 
     URI address() {

@@ -15,11 +15,16 @@ final class HandIns implements Callable<List<HandIns.HandedIn>> {
 
     private final ProcessHerd herd;
     private final GraderHttp http;
-    private final List<String> students;
-    private final List<String> sources;
-    private final int many;
+    private final List<PlannedHandIn> planned;
     private final IntSupplier allowed;
     private final AnswerCounts repeated;
+
+    /**
+     * Something that a student will hand in.
+     *
+     * @param kind the number of the source that the text means
+     */
+    record PlannedHandIn(String student, String text, int kind) {}
 
     /**
      * A submission that a server accepted.
@@ -30,22 +35,19 @@ final class HandIns implements Callable<List<HandIns.HandedIn>> {
 
     /**
      * @param http as the answers are waited for
-     * @param allowed how many may have been handed in by now, out of {@code many}
+     * @param planned in the order in which they come
+     * @param allowed how many of these may have been handed in by now
      * @param repeated counts the answers after which one was repeated
      */
     HandIns(
             ProcessHerd herd,
             GraderHttp http,
-            List<String> students,
-            List<String> sources,
-            int many,
+            List<PlannedHandIn> planned,
             IntSupplier allowed,
             AnswerCounts repeated) {
         this.herd = herd;
         this.http = http;
-        this.students = students;
-        this.sources = sources;
-        this.many = many;
+        this.planned = List.copyOf(planned);
         this.allowed = allowed;
         this.repeated = repeated;
     }
@@ -53,31 +55,29 @@ final class HandIns implements Callable<List<HandIns.HandedIn>> {
     @Override
     public List<HandedIn> call() throws IOException, InterruptedException {
         var all = new ArrayList<HandedIn>();
-        while (all.size() < many)
+        while (all.size() < planned.size())
             if (all.size() < allowed.getAsInt()) all.add(handIn(all.size()));
             else TimeUnit.MILLISECONDS.sleep(PAUSE_MILLIS);
         return all;
     }
 
     private HandedIn handIn(int number) throws IOException, InterruptedException {
-        String student = students.get(number % students.size());
-        int kind = number % sources.size();
-        String source = BenchSources.marked(sources.get(kind), number);
+        PlannedHandIn one = planned.get(number);
         long start = System.nanoTime();
         for (int turn = number; System.nanoTime() - start < PATIENCE_NANOS; turn++) {
-            String id = tryOnce(turn, student, source, "number-" + number);
-            if (!id.isEmpty()) return new HandedIn(student, id, kind);
+            String id = tryOnce(turn, one, "number-" + number);
+            if (!id.isEmpty()) return new HandedIn(one.student(), id, one.kind());
             TimeUnit.MILLISECONDS.sleep(PAUSE_MILLIS);
         }
         throw new IOException("nobody takes submission " + number + ": " + repeated.text());
     }
 
     /** The id of what was handed in; empty where it was not accepted. */
-    private String tryOnce(int turn, String student, String source, String key)
-            throws InterruptedException {
+    private String tryOnce(int turn, PlannedHandIn one, String key) throws InterruptedException {
         try {
             HttpResponse<String> answer =
-                    http.at(herd.server(turn)).submit(student, BenchSources.EXERCISE, source, key);
+                    http.at(herd.server(turn))
+                            .submit(one.student(), BenchSources.EXERCISE, one.text(), key);
             if (answer.statusCode() == GraderHttp.ACCEPTED) return GraderHttp.id(answer);
             repeated.add(answer);
         } catch (IOException dead) {

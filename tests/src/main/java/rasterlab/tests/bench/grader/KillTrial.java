@@ -107,11 +107,22 @@ final class KillTrial {
                         String.valueOf(seed),
                         String.join("; ", undisturbed.stream().map(GradedOutcome::text).toList())));
         var repeated = new AnswerCounts(words.text("grader.silent"));
-        var handIns =
-                new HandIns(herd, http, students, sources, submissions, this::allowed, repeated);
+        var handIns = new HandIns(herd, http, planned(students, sources), this::allowed, repeated);
         List<HandIns.HandedIn> handed = killMeanwhile(postgres, herd, handIns, undisturbed.size());
         out.println(words.text("grader.kills.made", kinds(), repeated.text()));
         tell(http.at(herd.server(0)), handed, undisturbed, postgres.jdbc(DATABASE));
+    }
+
+    /** Each student hands in each source in turn; the texts differ. */
+    private List<HandIns.PlannedHandIn> planned(List<String> students, List<String> sources) {
+        var planned = new ArrayList<HandIns.PlannedHandIn>();
+        for (int number = 0; number < submissions; number++) {
+            int kind = number % sources.size();
+            String text = BenchSources.marked(sources.get(kind), number);
+            String student = students.get(number % students.size());
+            planned.add(new HandIns.PlannedHandIn(student, text, kind));
+        }
+        return planned;
     }
 
     private static List<GradedOutcome> undisturbed(

@@ -49,13 +49,15 @@ final class OwnPostgres implements AutoCloseable {
      * @param belongings which it and its folder are two of
      * @throws NotMeasured where none is installed
      */
-    static OwnPostgres start(Belongings belongings) throws IOException, InterruptedException, NotMeasured {
+    static OwnPostgres start(Belongings belongings)
+            throws IOException, InterruptedException, NotMeasured {
         Optional<Path> programs = programs();
         if (programs.isEmpty())
             throw new NotMeasured("grader.missing.postgres", VERSIONS + "/*/bin/initdb");
         Path folder = belongings.add(BenchFolder::make).path();
         List<String> unprivileged = unprivileged(folder);
-        OwnPostgres postgres = belongings.add(() -> new OwnPostgres(programs.get(), folder, unprivileged));
+        OwnPostgres postgres =
+                belongings.add(() -> new OwnPostgres(programs.get(), folder, unprivileged));
         SystemCommand.run(
                 postgres.call(
                         "initdb",

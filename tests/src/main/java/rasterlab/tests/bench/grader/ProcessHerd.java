@@ -33,7 +33,8 @@ final class ProcessHerd {
      * @param folder for the data of each
      * @param database the address that they are given
      */
-    ProcessHerd(Path home, BenchFolder folder, String database, Belongings belongings) throws IOException {
+    ProcessHerd(Path home, BenchFolder folder, String database, Belongings belongings)
+            throws IOException {
         this.home = home;
         this.folder = folder;
         this.database = database;
