@@ -59,7 +59,7 @@ final class AnswerCounts {
         return text(counts);
     }
 
-    /** The same of the failures that do not ask to come again; empty where there was none. */
+    /** Counts of the failures that do not ask to come again; empty where there was none. */
     String unexcusedText() {
         return text(unexcused);
     }

@@ -84,7 +84,7 @@ public final class GraderBench {
         void run() throws IOException, InterruptedException, SQLException;
     }
 
-    /** What there is to do, in that order, by the names of the parts. */
+    /** Lists the work in its order, by the names of the parts. */
     private Map<String, PartWork> work() {
         var work = new LinkedHashMap<String, PartWork>();
         if (parts.contains(GraderPart.SINGLE)) work.put(GraderPart.SINGLE.word(), this::single);

@@ -144,7 +144,7 @@ record GraderHttp(HttpClient http, URI address, Duration limit) {
         }
     }
 
-    /** What the client says itself is often nothing, or of its insides. */
+    /** Says so in words; those of the client are none, or of its insides. */
     private IOException unanswered(Throwable failed) {
         return new IOException("the server at " + address + " does not answer", failed);
     }
