@@ -5,7 +5,6 @@ import rasterlab.grader.course.AuditEntry
 import rasterlab.grader.course.StaffRole
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.rules.LimitField
-import rasterlab.grader.web.comment.place
 import java.time.DateTimeException
 import java.time.Instant
 

@@ -6,6 +6,7 @@ import kotlinx.html.code
 import kotlinx.html.li
 import kotlinx.html.ol
 import kotlinx.html.pre
+import rasterlab.grader.comment.CommentedLines
 
 /** More lines than people write; those behind them are shown without numbers, which cost ten times as much. */
 internal const val NUMBERED_MOST = 5_000
@@ -78,3 +79,11 @@ private fun lineStart(
     }
     return at
 }
+
+/** The lines that something is about, in words. */
+internal fun PageTexts.place(lines: CommentedLines?): String =
+    when {
+        lines == null -> say("comment.whole")
+        lines.first == lines.last -> say("result.line", "${lines.first}")
+        else -> say("comment.lines", "${lines.first}", "${lines.last}")
+    }

@@ -21,6 +21,7 @@ import rasterlab.grader.submission.Submission
 import rasterlab.grader.web.HandedView
 import rasterlab.grader.web.NUMBERED_MOST
 import rasterlab.grader.web.PageTexts
+import rasterlab.grader.web.place
 import rasterlab.grader.web.sourceLines
 
 /** The source of a submission with threads below the lines that they are about, and forms to write more. */
@@ -137,11 +138,3 @@ internal fun PageTexts.author(one: LineComment): String {
     val role = say("staff.role.${one.role}")
     return if (one.name.isEmpty()) role else say("comment.author", one.name, role)
 }
-
-/** The lines that something is about, in words. */
-internal fun PageTexts.place(lines: CommentedLines?): String =
-    when {
-        lines == null -> say("comment.whole")
-        lines.first == lines.last -> say("result.line", "${lines.first}")
-        else -> say("comment.lines", "${lines.first}", "${lines.last}")
-    }

@@ -37,6 +37,7 @@ import rasterlab.grader.web.FORM_AGAIN
 import rasterlab.grader.web.FormAgain
 import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.courseOf
+import rasterlab.grader.web.place
 import rasterlab.grader.web.problem
 import rasterlab.grader.web.receiveForm
 import rasterlab.grader.web.requireOwnForm
