@@ -23,6 +23,7 @@ class AnswerTricksTest {
     private static final String HEAD =
             "public void draw(int x0, int y0, int x1, int y1, Pixels out) {";
 
+    private static final String SHADE = "public double[] shade(LitFace face, double[] weights) {";
     private static final String FIELD = "\nprivate static double[] kept;\n";
 
     @RegisterExtension
@@ -69,43 +70,40 @@ class AnswerTricksTest {
     @Test
     @DisplayName("an input that was kept is the next call's too")
     void aKeptInputIsNotTheNextOne() throws Exception {
-        Exercise shading = Catalogue.builtIn().named("shade-face");
-        String model = shading.evidence().model().orElseThrow();
-        String head = "double[] shade(LitFace face, double[] weights) {";
-        assertTrue(model.contains(head), model);
-        String source =
-                model.replace(
-                        head,
-                        head
+        Report report =
+                shadedWith(
+                        SHADE
                                 + "\nif (kept != null) { if (kept == weights) return null;"
                                 + " java.util.Arrays.fill(kept, 7); }\nkept = weights;\n");
-        source = source.replace("implements FaceShader {", "implements FaceShader {" + FIELD);
-        Report report = JUDGE.grade(shading, source, CaseSelection.open());
         assertEquals(GradingVerdict.OK, report.verdict(), () -> messages(report));
     }
 
     @Test
     @DisplayName("an array that is changed after it was returned counts as it is then")
     void anAnswerThatIsChangedLaterCountsAsItWas() throws Exception {
-        Exercise shading = Catalogue.builtIn().named("shade-face");
-        String model = shading.evidence().model().orElseThrow();
-        String head = "public double[] shade(LitFace face, double[] weights) {";
-        assertTrue(model.contains(head), model);
-        String source =
-                model.replace(
-                        head,
-                        head
+        Report report =
+                shadedWith(
+                        SHADE
                                 + "\nif (kept != null) java.util.Arrays.fill(kept, 7);\n"
                                 + "return kept = answer(face, weights);\n}\n"
                                 + "private static double[] answer(LitFace face, double[] weights) {");
-        source = source.replace("implements FaceShader {", "implements FaceShader {" + FIELD);
-        Report report = JUDGE.grade(shading, source, CaseSelection.open());
         assertEquals(GradingVerdict.OK, report.verdict(), () -> messages(report));
     }
 
+    /** The result of the right shading whose method begins otherwise, and keeps an array. */
+    private static Report shadedWith(String beginning) throws Exception {
+        Exercise shading = Catalogue.builtIn().named("shade-face");
+        String model = shading.evidence().model().orElseThrow();
+        assertTrue(model.contains(SHADE), model);
+        String source =
+                model.replace(SHADE, beginning)
+                        .replace("implements FaceShader {", "implements FaceShader {" + FIELD);
+        return JUDGE.grade(shading, source, CaseSelection.open());
+    }
+
     @Test
-    @DisplayName("minus nought is wrong where nought is right")
-    void minusNoughtCountsAsNought() throws Exception {
+    @DisplayName("minus zero is wrong where zero is right")
+    void minusZeroCountsAsZero() throws Exception {
         Exercise color = Catalogue.builtIn().named("color");
         String model = color.evidence().model().orElseThrow();
         String right = "return fromRgb(to, toRgb(from, components));";
@@ -117,14 +115,14 @@ class AnswerTricksTest {
                         double[] answer = fromRgb(to, toRgb(from, components));
                         for (int i = 0; i < answer.length; i++)
                             if (answer[i] == 0) {
-                                System.out.print("nought ");
+                                System.out.print("zero ");
                                 answer[i] = -0.0;
                             }
                         return answer;
                         """);
         Report report = JUDGE.grade(color, source, CaseSelection.open());
         assertEquals(GradingVerdict.OK, report.verdict(), () -> messages(report));
-        assertTrue(messages(report).contains("nought "), "no case has a nought");
+        assertTrue(messages(report).contains("zero "), "no case has a zero");
     }
 
     private static String messages(Report report) {

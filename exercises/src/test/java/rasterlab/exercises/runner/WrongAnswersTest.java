@@ -133,7 +133,7 @@ class WrongAnswersTest {
                         "1E+300",
                         "1E+300"),
                 of(
-                        "a segment to the least number above nought",
+                        "a segment to the least number above zero",
                         "clip-segment",
                         "out.segment(x0, y0, Double.MIN_VALUE, Double.MIN_VALUE);",
                         "wrong",
